@@ -1,0 +1,2 @@
+//! The `plateau` command.
+fn main() {}

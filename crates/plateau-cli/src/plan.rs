@@ -1,0 +1,228 @@
+//! The plan: what an experiment file asks for, checked, typed, with every default filled in.
+//!
+//! A [`Plan`] exists only if its file was sound, so whoever runs one has nothing left to check except
+//! what only the mathematics can tell (a singular mask system, rows that admit no harmonic net).
+//! Points are plain `[x, y, z]`, finite, with |coordinate| ≤ [`MAX_COORDINATE`].
+
+use std::fmt;
+
+mod expected;
+mod patch;
+
+pub use expected::{Expected, Published, Quantity};
+pub use patch::{
+    Basis, Boundary, Energy, Interior, Mask, Method, Patch, PatchExperiment, Search, SearchMode, Shape,
+    SolverChoice, Variant,
+};
+
+/// Highest degree of a control net, in each direction, after `raise`.
+///
+/// Gram matrices of Bernstein-like bases are singular in `f64` long before this degree; the limit
+/// keeps the time and memory of a solve bounded, it promises no accuracy.
+pub const MAX_DEGREE: usize = 64;
+
+/// Largest admissible |coordinate| of a control point: its square, and sums of those, stay finite.
+pub const MAX_COORDINATE: f64 = 1e150;
+
+/// Largest size in bytes of an experiment file.
+pub const MAX_FILE_SIZE: u64 = 16 * 1024 * 1024;
+
+/// Largest `particles × iterations × runs` of a search.
+pub const MAX_SEARCH_BUDGET: u64 = 1_000_000_000;
+
+/// Supremum of the spans α for which the AHT basis is nonnegative: the second positive root of
+/// cos α cosh α = 1 (AHT prints 5π/2, where b2 and b3 are already negative).
+pub const AHT_SPAN_BOUND: f64 = 7.853_204_624_095_837;
+
+/// Supremum 2π of the spans α for which the AT basis is nonnegative.
+pub const AT_SPAN_BOUND: f64 = std::f64::consts::TAU;
+
+/// One experiment, checked and ready to run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Title of the table; not empty.
+    pub title: String,
+    /// Seed of every random stream of the experiment, at most 2⁶³ − 1.
+    pub seed: u64,
+    /// Name of the output folder: the file name without its last extension, never empty.
+    pub stem: String,
+    /// The file name as it was given, for messages.
+    pub file: String,
+    /// What is to be computed.
+    pub experiment: Experiment,
+    /// What is to be written beside `result.json`.
+    pub output: Output,
+    /// The file as read, byte for byte.
+    pub text: String,
+}
+
+/// What an experiment computes: exactly one of these tables stands in the file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Experiment {
+    /// `[boundary]` and `[[method]]`: patches over a fixed boundary net.
+    Patch(PatchExperiment),
+    /// `[helicoid]`: a generalized helicoid, exact in AHT ⊗ AHT (AHT).
+    Helicoid(Helicoid),
+    /// `[trapezium-helicoid]`: a right helicoid over a trapezium, exact in AT ⊗ degree 1 (AT).
+    TrapeziumHelicoid(TrapeziumHelicoid),
+    /// `[curve]`: one curve, sampled.
+    Curve(Curve),
+}
+
+/// The generalized helicoid `x = a sinh u cos v − b cosh u sin v`, `y = a sinh u sin v + b cosh u cos v`,
+/// `z = a v + b u` over `[0, u_span] × [0, v_span]` (AHT, with the chart of spec §7).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Helicoid {
+    /// Weight of the right helicoid; finite, |a| ≤ 1e100; a and b are not both zero.
+    pub a: f64,
+    /// Weight of the catenoid; finite, |b| ≤ 1e100.
+    pub b: f64,
+    /// Length of the u interval, in (0, 100]. May exceed [`AHT_SPAN_BOUND`]: then several patches are needed.
+    pub u_span: f64,
+    /// Length of the v interval, in (0, 1000]. May exceed [`AHT_SPAN_BOUND`]: then several patches are needed.
+    pub v_span: f64,
+    /// The deformation from (a, b) = (1, 0) to (0, 1), if `frames` was given.
+    pub deformation: Option<Deformation>,
+    /// Numbers the result must reproduce, from the top-level `[expect]`.
+    pub expect: Vec<Expected>,
+}
+
+/// A family of helicoids from (a, b) = (1, 0), the right helicoid, to (0, 1), the catenoid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Deformation {
+    /// Number of frames, both ends included, in 2..=1000.
+    pub frames: usize,
+    /// How (a, b) moves with λ ∈ [0, 1].
+    pub path: DeformationPath,
+}
+
+/// How (a, b) moves from (1, 0) to (0, 1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DeformationPath {
+    /// `(cos(λπ/2), sin(λπ/2))`: an isometric bending.
+    #[default]
+    Trigonometric,
+    /// `(1 − λ, λ)`.
+    Linear,
+}
+
+/// The right helicoid `(w cos v, w sin v, v)` over the trapezium `0 ≤ v ≤ span`,
+/// `γ0 + β0 v ≤ w ≤ γ1 + β1 v` (AT, with the corrections of spec §7).
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrapeziumHelicoid {
+    /// Length α of the v interval, in (0, [`AT_SPAN_BOUND`]).
+    pub span: f64,
+    /// Offsets (γ0, γ1) of the two sides.
+    pub gamma: [f64; 2],
+    /// Slopes (β0, β1) of the two sides, which do not cross inside (0, span).
+    pub beta: [f64; 2],
+    /// Numbers the result must reproduce, from the top-level `[expect]`.
+    pub expect: Vec<Expected>,
+}
+
+/// One planar or space curve with control points, and the parameters at which it is sampled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// The basis of the control points.
+    pub basis: CurveBasis,
+    /// Control points: at least 2 (Bernstein), at least 3 (GT), exactly 6 (AHT, AT); at most
+    /// [`MAX_DEGREE`] + 1. Planar points carry z = 0.
+    pub points: Vec<[f64; 3]>,
+    /// Coordinates of a point in the file: 2 (signed curvature) or 3.
+    pub dimension: usize,
+    /// Parameters of the samples, inside [`CurveBasis::domain`], in the file's order; a count was
+    /// replaced by that many equally spaced parameters, both ends included. Never empty.
+    pub samples: Vec<f64>,
+    /// Numbers the result must reproduce, from the top-level `[expect]`.
+    pub expect: Vec<Expected>,
+}
+
+/// The basis of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CurveBasis {
+    /// Bernstein polynomials on [0, 1].
+    Bernstein,
+    /// GT functions on [0, 1] (GT).
+    Gt {
+        /// Shape parameters (θ1, θ2), each in [0, 4], not both zero.
+        shape: [f64; 2],
+    },
+    /// Algebraic–hyperbolic–trigonometric functions of order 6 on [0, span] (AHT).
+    Aht {
+        /// Right end of the domain, in (0, [`AHT_SPAN_BOUND`]).
+        span: f64,
+    },
+    /// Algebraic–trigonometric functions of order 6 on [0, span] (AT).
+    At {
+        /// Right end of the domain, in (0, [`AT_SPAN_BOUND`]).
+        span: f64,
+    },
+}
+
+impl CurveBasis {
+    /// The interval on which the basis lives.
+    #[must_use]
+    pub fn domain(&self) -> [f64; 2] {
+        match *self {
+            Self::Bernstein | Self::Gt { .. } => [0.0, 1.0],
+            Self::Aht { span } | Self::At { span } => [0.0, span],
+        }
+    }
+}
+
+/// What is written beside `result.json`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Output {
+    /// Subdivisions of the surface mesh per side, in 2..=2000.
+    pub mesh: usize,
+    /// Formats to export, in the file's order, without repetition.
+    pub formats: Vec<Format>,
+}
+
+impl Default for Output {
+    /// 48 subdivisions, no export.
+    fn default() -> Self {
+        Self { mesh: 48, formats: Vec::new() }
+    }
+}
+
+/// A file format for surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Wavefront OBJ.
+    Obj,
+    /// Stanford PLY with colours.
+    Ply,
+    /// STL.
+    Stl,
+    /// Binary glTF.
+    Glb,
+    /// VTK unstructured grid, for ParaView.
+    Vtu,
+    /// STEP AP214, the patch itself as one B-spline face.
+    Step,
+}
+
+impl Format {
+    /// Every format, in the order of the documentation.
+    pub const ALL: [Self; 6] = [Self::Obj, Self::Ply, Self::Stl, Self::Glb, Self::Vtu, Self::Step];
+
+    /// The format's name in experiment files, which is also its file extension.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Stl => "stl",
+            Self::Glb => "glb",
+            Self::Vtu => "vtu",
+            Self::Step => "step",
+        }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

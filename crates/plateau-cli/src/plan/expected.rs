@@ -1,0 +1,129 @@
+//! Numbers a result must reproduce, and numbers printed elsewhere.
+
+use std::fmt;
+
+/// A figure of a result, named as in `result.json` but in kebab-case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// `dirichlet`.
+    Dirichlet,
+    /// `area`.
+    Area,
+    /// `laplacian-defect`.
+    LaplacianDefect,
+    /// `bending`.
+    Bending,
+    /// `conformality-gap`.
+    ConformalityGap,
+    /// `mean-curvature-max`: `mean_curvature.max_abs` of the result.
+    MeanCurvatureMax,
+    /// `mean-curvature-rms`: `mean_curvature.rms` of the result.
+    MeanCurvatureRms,
+    /// `residual`.
+    Residual,
+    /// `boundary-deviation`.
+    BoundaryDeviation,
+    /// `harmonic-bound`.
+    HarmonicBound,
+    /// `deviation`, of helicoids.
+    Deviation,
+    /// `shape`: the shape parameter of this index, in α1, α2, β1, β2.
+    Shape(usize),
+    /// `search-minimum`: the least best value of the search's runs.
+    SearchMinimum,
+    /// `curvature`, of curves: at the sample of this index.
+    Curvature(usize),
+}
+
+impl Quantity {
+    /// The name in experiment files (the same for every index).
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Dirichlet => "dirichlet",
+            Self::Area => "area",
+            Self::LaplacianDefect => "laplacian-defect",
+            Self::Bending => "bending",
+            Self::ConformalityGap => "conformality-gap",
+            Self::MeanCurvatureMax => "mean-curvature-max",
+            Self::MeanCurvatureRms => "mean-curvature-rms",
+            Self::Residual => "residual",
+            Self::BoundaryDeviation => "boundary-deviation",
+            Self::HarmonicBound => "harmonic-bound",
+            Self::Deviation => "deviation",
+            Self::Shape(_) => "shape",
+            Self::SearchMinimum => "search-minimum",
+            Self::Curvature(_) => "curvature",
+        }
+    }
+}
+
+impl fmt::Display for Quantity {
+    /// The name, with the index where there is one: `shape[2]`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shape(k) | Self::Curvature(k) => write!(f, "{}[{k}]", self.name()),
+            _ => f.write_str(self.name()),
+        }
+    }
+}
+
+/// One number of an `expect` table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expected {
+    /// Which figure of the result.
+    pub quantity: Quantity,
+    /// The number; finite.
+    pub value: f64,
+    /// Largest admissible |ours − value|; > 0 or, if written so, 0.
+    ///
+    /// Half a unit of the last digit written in the file (`38.0` admits 0.05), or what
+    /// `{ value = …, tolerance = … }` says.
+    pub tolerance: f64,
+    /// The number as the file writes it.
+    pub text: String,
+    /// Its line in the file, from 1.
+    pub line: usize,
+}
+
+impl Expected {
+    /// Whether `ours` agrees with the number to the digits written. A NaN never does.
+    ///
+    /// The comparison itself may round: a value that lies on the limit up to a few units in the last
+    /// place of the numbers compared counts as met.
+    #[must_use]
+    pub fn is_met_by(&self, ours: f64) -> bool {
+        let rounding = 4.0 * f64::EPSILON * self.value.abs().max(ours.abs());
+        (ours - self.value).abs() <= self.tolerance + rounding
+    }
+}
+
+/// One figure printed elsewhere, shown beside ours; it decides nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Published {
+    /// Where it is printed: `GT Table 1`.
+    pub source: String,
+    /// Which of our figures the printed number really is.
+    pub quantity: Quantity,
+    /// What it is called there, if that differs: `Area`.
+    pub heading: Option<String>,
+    /// The printed number; finite.
+    pub printed: f64,
+    /// The printed number as the file writes it, with all its digits.
+    pub text: String,
+    /// Half a unit of the last printed digit.
+    pub tolerance: f64,
+    /// Why ours differs, where it does.
+    pub reason: Option<String>,
+    /// Its line in the file, from 1.
+    pub line: usize,
+}
+
+impl Published {
+    /// Whether `ours` rounds to the printed number. A NaN never does.
+    #[must_use]
+    pub fn agrees_with(&self, ours: f64) -> bool {
+        let rounding = 4.0 * f64::EPSILON * self.printed.abs().max(ours.abs());
+        (ours - self.printed).abs() <= self.tolerance + rounding
+    }
+}
