@@ -1,0 +1,131 @@
+//! What a search found, and why it ended.
+
+use std::fmt;
+
+/// Why a run of the swarm ended. None of these proves a minimum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// All iterations were done; says nothing about convergence.
+    Budget,
+    /// The best value did not improve noticeably over the given number of iterations.
+    Stagnation,
+    /// The swarm shrank below the given fraction of the box.
+    Collapse,
+    /// The observer ended the run.
+    Observer,
+    /// Every value was NaN or `+∞`: there is no best point.
+    NothingFinite,
+    /// A value of `−∞` was found: nothing can be lower.
+    Unbounded,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Budget => "the iteration budget is spent",
+            Self::Stagnation => "the best value stopped improving",
+            Self::Collapse => "the swarm collapsed to a point",
+            Self::Observer => "the observer ended the run",
+            Self::NothingFinite => "every value was NaN or infinite",
+            Self::Unbounded => "the objective took the value -inf",
+        })
+    }
+}
+
+/// A point and its value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Best {
+    /// The objective's value, finite or `−∞`; evaluating the point again gives the same bits.
+    pub value: f64,
+    /// The point, inside the box.
+    pub point: Vec<f64>,
+}
+
+/// The report of one run of the swarm.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Run {
+    /// The experiment's seed.
+    pub seed: u64,
+    /// Index of the run; seed and index together determine every random number.
+    pub run: usize,
+    /// The best point found; `None` if no value was finite.
+    pub best: Option<Best>,
+    /// The best value after the initialisation and after each iteration done; never rises,
+    /// `+∞` while nothing finite was found.
+    pub history: Vec<f64>,
+    /// Objective evaluations.
+    pub evaluations: u64,
+    /// How many of them were NaN.
+    pub nan_evaluations: u64,
+    /// Why the run ended.
+    pub reason: Reason,
+    /// Final diameter of the swarm: the largest extent of its positions along a component,
+    /// relative to the box, in `[0, 1]`.
+    pub diameter: f64,
+    /// The last iteration that lowered the best value; 0 if none did after the initialisation.
+    pub last_improvement: usize,
+}
+
+impl Run {
+    /// Iterations done, the initialisation not counted.
+    #[must_use]
+    pub fn iterations(&self) -> usize {
+        self.history.len() - 1
+    }
+
+    /// The best value, `+∞` if no value was finite.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.best.as_ref().map_or(f64::INFINITY, |best| best.value)
+    }
+}
+
+impl fmt::Display for Run {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "run {} of seed {}: ", self.run, self.seed)?;
+        match &self.best {
+            Some(best) => writeln!(f, "best {:e} at {:?}", best.value, best.point)?,
+            None => writeln!(f, "nothing found")?,
+        }
+        writeln!(
+            f,
+            "  {} evaluations ({} NaN), {} iterations, last improvement at {}",
+            self.evaluations,
+            self.nan_evaluations,
+            self.iterations(),
+            self.last_improvement,
+        )?;
+        write!(f, "  ended because {}; swarm diameter {:.1e} of the box", self.reason, self.diameter)
+    }
+}
+
+/// The reports of several runs, by run index.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Search {
+    /// One report per run.
+    pub runs: Vec<Run>,
+}
+
+impl Search {
+    /// The run with the least value, ties to the smaller index; `None` if no run found a finite value.
+    #[must_use]
+    pub fn best(&self) -> Option<&Run> {
+        let found = self.runs.iter().filter(|run| run.best.is_some());
+        found.reduce(|best, run| if run.value() < best.value() { run } else { best })
+    }
+
+    /// Objective evaluations of all runs.
+    #[must_use]
+    pub fn evaluations(&self) -> u64 {
+        self.runs.iter().map(|run| run.evaluations).sum()
+    }
+
+    /// NaN evaluations of all runs.
+    #[must_use]
+    pub fn nan_evaluations(&self) -> u64 {
+        self.runs.iter().map(|run| run.nan_evaluations).sum()
+    }
+}
