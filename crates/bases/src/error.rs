@@ -1,0 +1,54 @@
+use thiserror::Error;
+
+/// Why a family of functions or a quadrature rule could not be made.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum BasisError {
+    /// The degree lies outside what the family is defined, or accurate, for.
+    #[error("degree {degree} of the {family} basis is outside {min}..={max}")]
+    Degree {
+        /// Name of the family.
+        family: &'static str,
+        /// The degree asked for.
+        degree: usize,
+        /// Smallest degree of the family.
+        min: usize,
+        /// Largest degree supported.
+        max: usize,
+    },
+    /// A shape parameter of the GT basis makes a function negative or is not a number.
+    #[error("GT shape parameter θ{index} = {value} is outside [0, 4], where the basis is nonnegative")]
+    Shape {
+        /// 1 for θ1 (acts at t = 0), 2 for θ2 (acts at t = 1).
+        index: usize,
+        /// The value given.
+        value: f64,
+    },
+    /// Both GT shape parameters are zero: G₁ of degree 2 vanishes and the functions are dependent.
+    #[error(
+        "GT shape parameters θ1 and θ2 are both 0: the functions are linearly dependent; make one positive"
+    )]
+    Dependent,
+    /// A Gauss rule of that many points is not offered.
+    #[error("a Gauss–Legendre rule needs 1..={max} points, got {points}")]
+    Points {
+        /// The number of points asked for.
+        points: usize,
+        /// Largest rule supported.
+        max: usize,
+    },
+    /// The matrix of a [`Stacked`](crate::Stacked) family does not fit its parts.
+    #[error("the map of a stacked family needs {expected} columns (functions of its parts), got {found}")]
+    Map {
+        /// Number of functions of all parts together.
+        expected: usize,
+        /// Columns of the matrix given.
+        found: usize,
+    },
+    /// Parts of one family live on different intervals.
+    #[error("part {part} of a stacked family lives on another interval than part 0")]
+    Domain {
+        /// Index of the first part that differs.
+        part: usize,
+    },
+}

@@ -1,0 +1,44 @@
+//! Univariate families of Bézier-like basis functions and their inner products.
+//!
+//! A [`Basis`] is a finite family of functions on an interval that answers three questions: how many, where, and the
+//! values with derivatives at a point. The families: [`Bernstein`] polynomials, the generalized
+//! trigonometric [`Gt`] functions with two shape parameters (and [`GtParts`], their parts affine in the shape), and
+//! linear combinations of families ([`Stacked`]). All are partitions of unity that interpolate at
+//! the ends, with errors bounded in units of u = 2⁻⁵³ in their own documentation.
+//!
+//! [`GaussLegendre`] rules of any size integrate them; [`Samples`] and [`gram()`] make their inner products.
+//!
+//! All transcendental functions are those of the `libm` crate, so values do not depend on the platform.
+//!
+//! ```
+//! use bases::{Basis, Gt, gram};
+//!
+//! let basis = Gt::new(3, [0.87, 0.87])?;
+//! let values = basis.evaluate(0.3, 0);
+//! let sum: f64 = values.row(0).iter().sum();
+//! assert!((sum - 1.0).abs() < 1e-15);
+//!
+//! // The stiffness matrix ∫ G_i' G_j' annihilates constants.
+//! let stiffness = gram(&basis, 1, 1)?;
+//! assert!(stiffness.row(1).iter().sum::<f64>().abs() < 1e-14);
+//! # Ok::<(), bases::BasisError>(())
+//! ```
+
+mod basis;
+mod bernstein;
+mod double_double;
+mod error;
+mod gram;
+mod gt;
+mod matrix;
+mod quadrature;
+mod stacked;
+
+pub use basis::Basis;
+pub use bernstein::Bernstein;
+pub use error::BasisError;
+pub use gram::{Samples, gram};
+pub use gt::{Gt, GtParts};
+pub use matrix::Matrix;
+pub use quadrature::GaussLegendre;
+pub use stacked::Stacked;

@@ -1,0 +1,1 @@
+//! Energies of Bézier-like patches: quadratic forms of the control net, and area

@@ -1,0 +1,1 @@
+//! Control nets and the patches they span
