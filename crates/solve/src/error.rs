@@ -1,0 +1,215 @@
+use faer::dyn_stack::mem::AllocError;
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::linalg::evd::EvdError;
+use faer::linalg::svd::SvdError;
+use faer::sparse::linalg::LuError;
+use faer::sparse::{CreationError, FaerError};
+use thiserror::Error;
+
+/// The array of a linear system in which a number was found that is neither finite nor usable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Place {
+    /// The matrix of the system, or a table or sample it is made of.
+    Matrix,
+    /// The right-hand side, or the fixed values it is made of.
+    RightHandSide,
+    /// The answer: the data are finite, the solution overflows.
+    Solution,
+    /// The parameters at which a parametric system was evaluated.
+    Parameters,
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Matrix => "matrix",
+            Self::RightHandSide => "right-hand side",
+            Self::Solution => "solution",
+            Self::Parameters => "parameters",
+        })
+    }
+}
+
+/// Why a linear system has no answer that could be trusted.
+///
+/// Indices count from 0. Lack of memory is never reported as a property of the matrix.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SolveError {
+    /// A Cholesky factorisation met a pivot that is not positive, or succeeded with a condition beyond
+    /// 1/(n ε), where its success proves nothing.
+    #[error(
+        "the matrix of order {order} is not positive definite to working precision ({}): \
+         fix more unknowns, check that no function of the basis depends on the others, or use the separable solver",
+        Cause { pivot: *.pivot, condition: *.condition }
+    )]
+    NotPositiveDefinite {
+        /// Order of the matrix.
+        order: usize,
+        /// Index of the pivot that was not positive; `None` if the factorisation went through.
+        pivot: Option<usize>,
+        /// Estimate of the condition number, where one is known.
+        condition: Option<f64>,
+    },
+    /// The matrix has no inverse to working precision.
+    #[error(
+        "the matrix of order {order} is singular to working precision (reciprocal condition {reciprocal_condition:.2e}): \
+         the conditions depend on each other, so add or change some of them"
+    )]
+    Singular {
+        /// Order of the matrix.
+        order: usize,
+        /// Estimate of 1/(‖A‖₁‖A⁻¹‖₁); exactly 0 if a pivot vanished.
+        reciprocal_condition: f64,
+    },
+    /// A matrix promised to be symmetric is not.
+    #[error(
+        "the matrix is not symmetric: entries ({row}, {column}) and ({column}, {row}) differ by {difference:e}"
+    )]
+    NotSymmetric {
+        /// Row of the entry with the largest difference.
+        row: usize,
+        /// Column of that entry.
+        column: usize,
+        /// The difference of the two entries.
+        difference: f64,
+    },
+    /// A number is NaN or infinite.
+    #[error("the {place} holds a number that is not finite in row {row}, column {column}")]
+    NotFinite {
+        /// Where it stands.
+        place: Place,
+        /// Its row.
+        row: usize,
+        /// Its column.
+        column: usize,
+    },
+    /// An array has the wrong length, or an index does not fit.
+    #[error("{what}: expected {expected}, found {found}")]
+    WrongShape {
+        /// What was measured.
+        what: &'static str,
+        /// What it should have been.
+        expected: usize,
+        /// What it was.
+        found: usize,
+    },
+    /// An index points outside of its array, or comes twice, or out of order.
+    #[error("{what}: index {index} must be below {bound} and above its predecessor")]
+    WrongIndex {
+        /// Which list of indices.
+        what: &'static str,
+        /// The offending index.
+        index: usize,
+        /// The bound it has to stay below.
+        bound: usize,
+    },
+    /// The memory for the system could not be had.
+    #[error("out of memory: {bytes} bytes could not be allocated; solve a smaller system or free memory")]
+    OutOfMemory {
+        /// Size of the request, at least.
+        bytes: usize,
+    },
+    /// The system is larger than this crate is willing to try.
+    #[error("{what} is {found}, the limit is {limit}")]
+    TooLarge {
+        /// What is too large.
+        what: &'static str,
+        /// Its value.
+        found: usize,
+        /// The largest value accepted.
+        limit: usize,
+    },
+    /// An iteration for singular values or eigenvalues did not converge.
+    #[error("the iteration for the {what} of a matrix of order {order} did not converge")]
+    NoConvergence {
+        /// Singular values or eigenvalues.
+        what: &'static str,
+        /// Order of the matrix.
+        order: usize,
+    },
+}
+
+struct Cause {
+    pivot: Option<usize>,
+    condition: Option<f64>,
+}
+
+impl std::fmt::Display for Cause {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match (self.pivot, self.condition) {
+            (Some(pivot), Some(condition)) => {
+                write!(f, "pivot {pivot} is not positive, condition about {condition:.1e}")
+            }
+            (Some(pivot), None) => write!(f, "pivot {pivot} is not positive"),
+            (None, Some(condition)) => write!(f, "condition about {condition:.1e}"),
+            (None, None) => write!(f, "no condition estimate"),
+        }
+    }
+}
+
+// faer's errors do not know the order of the matrix or the size of the request; the caller does.
+
+pub(crate) fn from_llt(error: LltError, order: usize) -> SolveError {
+    match error {
+        LltError::NonPositivePivot { index } => {
+            SolveError::NotPositiveDefinite { order, pivot: Some(index), condition: None }
+        }
+    }
+}
+
+pub(crate) fn from_svd(error: SvdError, order: usize) -> SolveError {
+    match error {
+        SvdError::NoConvergence => SolveError::NoConvergence { what: "singular values", order },
+    }
+}
+
+pub(crate) fn from_evd(error: EvdError, order: usize) -> SolveError {
+    match error {
+        EvdError::NoConvergence => SolveError::NoConvergence { what: "eigenvalues", order },
+    }
+}
+
+pub(crate) fn from_faer(error: FaerError, bytes: usize) -> SolveError {
+    match error {
+        FaerError::IndexOverflow => SolveError::TooLarge {
+            what: "number of entries of the factor",
+            found: usize::MAX,
+            limit: isize::MAX as usize,
+        },
+        // The enum is non-exhaustive; today its only other member is OutOfMemory.
+        _ => SolveError::OutOfMemory { bytes },
+    }
+}
+
+pub(crate) fn from_creation(error: CreationError, order: usize, bytes: usize) -> SolveError {
+    match error {
+        CreationError::Generic(error) => from_faer(error, bytes),
+        CreationError::OutOfBounds { row, col } => {
+            SolveError::WrongIndex { what: "entry of the sparse matrix", index: row.max(col), bound: order }
+        }
+    }
+}
+
+pub(crate) fn from_sparse_llt(
+    error: faer::sparse::linalg::LltError,
+    order: usize,
+    bytes: usize,
+) -> SolveError {
+    match error {
+        faer::sparse::linalg::LltError::Numeric(error) => from_llt(error, order),
+        faer::sparse::linalg::LltError::Generic(error) => from_faer(error, bytes),
+    }
+}
+
+pub(crate) fn from_sparse_lu(error: LuError, order: usize, bytes: usize) -> SolveError {
+    match error {
+        LuError::SymbolicSingular { .. } => SolveError::Singular { order, reciprocal_condition: 0.0 },
+        LuError::Generic(error) => from_faer(error, bytes),
+    }
+}
+
+pub(crate) fn from_alloc(_: AllocError, bytes: usize) -> SolveError {
+    SolveError::OutOfMemory { bytes }
+}
