@@ -85,7 +85,7 @@ impl Bounds {
             return Err(BoundsError::Empty);
         }
         for (side, values) in [("lower", &lower), ("upper", &upper)] {
-            if let Some(index) = values.iter().position(|b| !(b.abs() <= MAX_BOUND)) {
+            if let Some(index) = values.iter().position(|b| b.is_nan() || b.abs() > MAX_BOUND) {
                 let value = values[index];
                 return Err(BoundsError::NotFinite { side, index, value });
             }

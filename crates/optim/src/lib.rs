@@ -17,8 +17,12 @@
 //! ```
 
 mod bounds;
+mod box_model;
+mod descent;
+mod hessian;
 mod objective;
 mod observer;
+mod polish;
 mod pso;
 mod report;
 mod stream;
@@ -28,6 +32,7 @@ mod topology;
 pub use bounds::{Bounds, BoundsError, MAX_BOUND};
 pub use objective::{FnObjective, FnSmooth, Objective, Smooth};
 pub use observer::{Observer, Progress};
+pub use polish::{MAX_POLISH_DIMENSION, MAX_POLISH_EVALUATIONS, MAX_STARTS, Polish, PolishError};
 pub use pso::{MAX_COORDINATES, MAX_EVALUATIONS, MAX_HISTORY, MAX_PARTICLES, Pso, PsoError, Stagnation};
-pub use report::{Best, Reason, Run, Search};
+pub use report::{Best, Bound, PolishReason, Polished, Reason, Run, Search};
 pub use topology::Topology;

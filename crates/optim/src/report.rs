@@ -129,3 +129,86 @@ impl Search {
         self.runs.iter().map(|run| run.nan_evaluations).sum()
     }
 }
+
+/// Why a polish ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PolishReason {
+    /// The projected gradient vanishes within the tolerance.
+    Stationary,
+    /// The value cannot be lowered any further in rounding, though the tolerance is not met.
+    Flat,
+    /// The evaluation budget is spent.
+    Budget,
+    /// The start has no finite value and gradient.
+    NotFinite,
+}
+
+impl fmt::Display for PolishReason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Stationary => "the projected gradient vanishes",
+            Self::Flat => "the value cannot be lowered further in rounding",
+            Self::Budget => "the evaluation budget is spent",
+            Self::NotFinite => "the start has no finite value and gradient",
+        })
+    }
+}
+
+/// The bound a component is held at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// At its lower bound, with positive derivative: beyond, the value would be lower.
+    Lower,
+    /// Held by none. A component may touch a bound without being held.
+    Free,
+    /// At its upper bound, with negative derivative.
+    Upper,
+}
+
+/// The report of one polish.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Polished {
+    /// The objective's value at the point.
+    pub value: f64,
+    /// The point, inside the box, exactly on the bounds it is held at.
+    pub point: Vec<f64>,
+    /// The gradient at the point; where a bound is active, its multiplier up to sign.
+    pub gradient: Vec<f64>,
+    /// The KKT residual: the largest `widthᵢ |gᵢ|` over the components not held at a bound, that
+    /// is the change of the value across the box to first order, in units of the value.
+    pub residual: f64,
+    /// The bounds that bind, one entry per component.
+    pub active: Vec<Bound>,
+    /// Value and gradient evaluations.
+    pub evaluations: usize,
+    /// Steps accepted.
+    pub iterations: usize,
+    /// Why the polish ended.
+    pub reason: PolishReason,
+}
+
+impl Polished {
+    /// Whether any bound of the box binds: the minimum of a larger box may be lower.
+    #[must_use]
+    pub fn binds(&self) -> bool {
+        self.active.iter().any(|&bound| bound != Bound::Free)
+    }
+}
+
+impl fmt::Display for Polished {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{:e} at {:?}", self.value, self.point)?;
+        let bounds = self.active.iter().filter(|&&bound| bound != Bound::Free);
+        writeln!(
+            f,
+            "  {} evaluations, {} iterations, KKT residual {:.1e}, {} bounds bind",
+            self.evaluations,
+            self.iterations,
+            self.residual,
+            bounds.count(),
+        )?;
+        write!(f, "  ended because {}", self.reason)
+    }
+}

@@ -1,0 +1,323 @@
+//! One descent of the polish: iterates, line search, when to stop.
+
+use std::mem::swap;
+
+use crate::bounds::Bounds;
+use crate::box_model::BoxModel;
+use crate::hessian::{Hessian, dot};
+use crate::objective::Smooth;
+use crate::polish::Polish;
+use crate::report::{Bound, PolishReason, Polished};
+
+/// Fraction of the predicted decrease that a step must achieve (Armijo).
+const SUFFICIENT: f64 = 1e-4;
+/// A step after which the slope is still steeper than this fraction of the first one was too short.
+const STEEP: f64 = 0.9;
+/// Values closer than this, relatively, may differ by rounding alone.
+const NOISE: f64 = 16.0 * f64::EPSILON;
+/// Trials of one line search.
+const TRIALS: usize = 20;
+/// A step longer than this, relative to the box, ends where old curvature may not hold any more.
+const FAR: f64 = 0.03;
+/// Length of the first step, relative to the box.
+const FIRST_STEP: f64 = 0.3;
+
+struct Iterate {
+    point: Vec<f64>,
+    gradient: Vec<f64>,
+    value: f64,
+}
+
+impl Iterate {
+    fn new(dimension: usize) -> Self {
+        Self { point: vec![0.0; dimension], gradient: vec![0.0; dimension], value: f64::NAN }
+    }
+
+    fn is_finite(&self) -> bool {
+        self.value.is_finite() && self.gradient.iter().all(|g| g.is_finite())
+    }
+
+    /// Differences of values below this are rounding.
+    fn noise(&self) -> f64 {
+        NOISE * self.value.abs()
+    }
+}
+
+/// How a line search ended.
+enum Search {
+    /// `trial` is the next iterate.
+    Found,
+    /// No decrease was seen.
+    Failed,
+    /// The evaluations ran out.
+    Budget,
+}
+
+pub(crate) struct Descent<'a, S: ?Sized> {
+    polish: &'a Polish,
+    objective: &'a S,
+    bounds: &'a Bounds,
+    widths: Vec<f64>,
+    hessian: Hessian,
+    model: BoxModel,
+    /// The iterate.
+    at: Iterate,
+    /// The point under trial on the line.
+    trial: Iterate,
+    /// The longest step of the line search known to be too short, with sufficient decrease.
+    short: Iterate,
+    /// The least value of an iterate; in rounding, later ones may lie above it.
+    lowest: f64,
+    target: Vec<f64>,
+    step: Vec<f64>,
+    change: Vec<f64>,
+    evaluations: usize,
+    iterations: usize,
+}
+
+impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
+    pub(crate) fn new(polish: &'a Polish, objective: &'a S, bounds: &'a Bounds, start: &[f64]) -> Self {
+        let n = start.len();
+        let mut descent = Self {
+            polish,
+            objective,
+            bounds,
+            widths: (0..n).map(|i| bounds.width(i)).collect(),
+            hessian: Hessian::new(n),
+            model: BoxModel::new(n),
+            at: Iterate::new(n),
+            trial: Iterate::new(n),
+            short: Iterate::new(n),
+            lowest: f64::INFINITY,
+            target: vec![0.0; n],
+            step: vec![0.0; n],
+            change: vec![0.0; n],
+            evaluations: 0,
+            iterations: 0,
+        };
+        descent.trial.point.copy_from_slice(start);
+        descent.evaluate_trial();
+        swap(&mut descent.at, &mut descent.trial);
+        descent
+    }
+
+    /// Descends to the end and reports.
+    pub(crate) fn finish(mut self) -> Polished {
+        let reason = if self.at.is_finite() { self.descend() } else { PolishReason::NotFinite };
+        let residual = self.residual(&self.at);
+        let active = (0..self.widths.len()).map(|i| self.active(i)).collect();
+        Polished {
+            value: self.at.value,
+            point: self.at.point,
+            gradient: self.at.gradient,
+            residual,
+            active,
+            evaluations: self.evaluations,
+            iterations: self.iterations,
+            reason,
+        }
+    }
+
+    fn descend(&mut self) -> PolishReason {
+        let mut curvature = self.first_curvature();
+        // Whether B still is the multiple of the identity it began as.
+        let mut fresh = true;
+        self.hessian.reset(curvature, &self.widths);
+        loop {
+            self.lowest = self.lowest.min(self.at.value);
+            let residual = self.residual(&self.at);
+            if residual <= self.polish.tolerance * self.at.value.abs() {
+                return PolishReason::Stationary;
+            }
+            let solved = self.model.minimize(
+                &self.hessian,
+                &self.at.gradient,
+                &self.at.point,
+                self.bounds,
+                &mut self.target,
+            );
+            for i in 0..self.step.len() {
+                self.step[i] = self.target[i] - self.at.point[i];
+            }
+            let slope = dot(&self.at.gradient, &self.step);
+            let search =
+                if solved && slope < 0.0 { self.search_line(slope, residual) } else { Search::Failed };
+            match search {
+                Search::Budget => return PolishReason::Budget,
+                Search::Failed if fresh || (solved && -slope <= self.at.noise()) => {
+                    return PolishReason::Flat;
+                }
+                Search::Failed => {
+                    fresh = true;
+                    self.hessian.reset(curvature, &self.widths);
+                }
+                Search::Found => {
+                    self.iterations += 1;
+                    self.learn(&mut curvature, &mut fresh);
+                    swap(&mut self.at, &mut self.trial);
+                }
+            }
+        }
+    }
+
+    /// Curvature for which the first step has a sensible length: the change of the value across the
+    /// box over the value, but not above [`FIRST_STEP`].
+    fn first_curvature(&self) -> f64 {
+        let steepest = self.residual(&self.at);
+        let curvature = (steepest / FIRST_STEP).max(self.at.value.abs());
+        if curvature > 0.0 { curvature } else { 1.0 }
+    }
+
+    /// BFGS from the pair s = trial − at, y = its change of gradient.
+    fn learn(&mut self, curvature: &mut f64, fresh: &mut bool) {
+        let (mut ss, mut yy) = (0.0, 0.0);
+        for i in 0..self.step.len() {
+            let (s, y) =
+                (self.trial.point[i] - self.at.point[i], self.trial.gradient[i] - self.at.gradient[i]);
+            (self.step[i], self.change[i]) = (s, y);
+            ss += (s / self.widths[i]).powi(2);
+            yy += (y * self.widths[i]).powi(2);
+        }
+        let sy = dot(&self.step, &self.change);
+        if sy.is_nan() || sy <= f64::EPSILON * (ss * yy).sqrt() {
+            return;
+        }
+        if *fresh {
+            *curvature = yy / sy;
+            self.hessian.reset(*curvature, &self.widths);
+        }
+        *fresh = !self.hessian.update(&self.step, &self.change, ss > FAR * FAR) && *fresh;
+    }
+
+    /// Searches along x(a) = x + a (target − x), put into the box, from a = 1.
+    fn search_line(&mut self, slope: f64, residual: f64) -> Search {
+        // The interval that holds acceptable steps: [a, value, slope] of its short end, its long end.
+        let mut low = [0.0, self.at.value, slope];
+        let mut high = f64::INFINITY;
+        let mut a = 1.0;
+        for _ in 0..TRIALS {
+            if self.evaluations == self.polish.evaluations {
+                return self.settle(low[0], Search::Budget);
+            }
+            if !self.place_trial(a) {
+                return self.settle(low[0], Search::Failed);
+            }
+            self.evaluate_trial();
+            if !self.trial.is_finite() {
+                high = a;
+                a = low[0] + 0.25 * (high - low[0]);
+                continue;
+            }
+            let decrease = self.at.value - self.trial.value;
+            let predicted = -self.slope_to_trial();
+            let flat = decrease.abs() <= self.at.noise() && self.trial.value - self.lowest <= self.at.noise();
+            if flat && self.residual(&self.trial) <= 0.5 * residual {
+                return Search::Found;
+            }
+            let steepness = self.slope_at_trial(a);
+            if decrease > 0.0 && decrease >= SUFFICIENT * predicted {
+                if steepness >= STEEP * slope {
+                    return Search::Found;
+                }
+                let next = if high.is_finite() { 0.5 * (a + high) } else { 4.0 * a };
+                low = [a, self.trial.value, steepness];
+                swap(&mut self.short, &mut self.trial);
+                a = next;
+            } else {
+                high = a;
+                if low[0] == 0.0 && -slope * a <= self.at.noise() {
+                    return Search::Failed;
+                }
+                let width = high - low[0];
+                let guess = cubic_minimum(low, [a, self.trial.value, steepness]);
+                a = guess.clamp(low[0] + 0.05 * width, high - 0.2 * width);
+            }
+        }
+        self.settle(low[0], Search::Failed)
+    }
+
+    /// Takes the longest step with sufficient decrease, if there was one; otherwise `or`.
+    fn settle(&mut self, longest: f64, or: Search) -> Search {
+        if longest == 0.0 {
+            return or;
+        }
+        swap(&mut self.short, &mut self.trial);
+        Search::Found
+    }
+
+    /// Puts the trial at x(a); false if that is no new point.
+    fn place_trial(&mut self, a: f64) -> bool {
+        let (lower, upper) = (self.bounds.lower(), self.bounds.upper());
+        for i in 0..self.step.len() {
+            self.trial.point[i] = if a == 1.0 {
+                self.target[i]
+            } else {
+                (self.at.point[i] + a * self.step[i]).clamp(lower[i], upper[i])
+            };
+        }
+        self.trial.point != self.at.point && (a <= 1.0 || self.trial.point != self.short.point)
+    }
+
+    fn evaluate_trial(&mut self) {
+        self.evaluations += 1;
+        self.trial.gradient.fill(f64::NAN);
+        self.trial.value = self.objective.value_and_gradient(&self.trial.point, &mut self.trial.gradient);
+    }
+
+    /// gᵀ(x(a) − x), the decrease to first order.
+    fn slope_to_trial(&self) -> f64 {
+        let moves = self.trial.point.iter().zip(&self.at.point);
+        let terms = moves.zip(&self.at.gradient).map(|((t, x), g)| (t - x) * g);
+        terms.sum()
+    }
+
+    /// The derivative of f(x(a)) at the trial: components held at a bound beyond a = 1 are still.
+    fn slope_at_trial(&self, a: f64) -> f64 {
+        let mut slope = 0.0;
+        for i in 0..self.step.len() {
+            let x = self.trial.point[i];
+            let held = x == self.bounds.lower()[i] || x == self.bounds.upper()[i];
+            if !(held && a >= 1.0) {
+                slope += self.trial.gradient[i] * self.step[i];
+            }
+        }
+        slope
+    }
+
+    /// The largest `widthᵢ |gᵢ|` over the projected gradient: components whose bound forbids the
+    /// descent do not count.
+    fn residual(&self, iterate: &Iterate) -> f64 {
+        let mut residual = 0.0_f64;
+        for i in 0..self.widths.len() {
+            let (x, g) = (iterate.point[i], iterate.gradient[i]);
+            let blocked =
+                (x == self.bounds.lower()[i] && g >= 0.0) || (x == self.bounds.upper()[i] && g <= 0.0);
+            if !blocked {
+                // f64::max would lose a NaN.
+                let size = self.widths[i] * g.abs();
+                residual = if size > residual || size.is_nan() { size } else { residual };
+            }
+        }
+        residual
+    }
+
+    fn active(&self, i: usize) -> Bound {
+        let (x, g) = (self.at.point[i], self.at.gradient[i]);
+        if x == self.bounds.lower()[i] && g > 0.0 {
+            Bound::Lower
+        } else if x == self.bounds.upper()[i] && g < 0.0 {
+            Bound::Upper
+        } else {
+            Bound::Free
+        }
+    }
+}
+
+/// The minimum of the cubic through two points `[a, value, slope]`; where it has none, the middle.
+fn cubic_minimum([a0, f0, s0]: [f64; 3], [a1, f1, s1]: [f64; 3]) -> f64 {
+    let width = a1 - a0;
+    let d1 = s0 + s1 - 3.0 * (f1 - f0) / width;
+    let d2 = (d1 * d1 - s0 * s1).sqrt();
+    let minimum = a1 - width * (s1 + d2 - d1) / (s1 - s0 + 2.0 * d2);
+    if minimum.is_finite() { minimum } else { 0.5 * (a0 + a1) }
+}
