@@ -1,1 +1,36 @@
-//! Energies of Bézier-like patches: quadratic forms of the control net, and area
+//! Energies of Bézier-like patches.
+//!
+//! Two kinds. A quadratic [`Functional`] (Dirichlet, Laplacian defect, bending, Coons) of a tensor patch is a
+//! [`QuadraticForm`] of its control net: a short sum of Kronecker products of one-dimensional Gram matrices, with value,
+//! gradient and matrix; [`ShapeForm`] holds it for all GT shapes at once. The area is not
+//! quadratic: [`area()`] integrates it until it has settled and says how far to trust it, [`area_with_gradient`] differentiates it.
+//!
+//! Always area ≤ Dirichlet energy, with equality exactly for conformal charts.
+//!
+//! ```
+//! use energy::{Functional, QuadraticForm, area};
+//! use surfaces::{Net, Point, TensorPatch};
+//!
+//! let corners = [[0., 0., 0.], [0., 2., 0.], [1., 0., 0.], [1., 2., 1.]].map(Point::from);
+//! let patch = TensorPatch::bernstein(Net::new(2, 2, corners.to_vec())?)?;
+//! let dirichlet = QuadraticForm::of(Functional::Dirichlet, &patch)?.value(&patch.net().coordinates());
+//! let area = area(&patch)?;
+//! assert!(area.settled && area.value < dirichlet);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod area;
+mod bending;
+mod coons;
+mod dirichlet;
+mod error;
+mod functional;
+mod laplacian;
+mod quadratic;
+mod shape;
+
+pub use area::{AREA_TOLERANCE, Integral, area, area_with_gradient, integrate};
+pub use error::EnergyError;
+pub use functional::{DensityTerm, Functional};
+pub use quadratic::{KroneckerTerm, QuadraticForm};
+pub use shape::{GramPolynomial, ShapeForm, ShapeTerm, ShapedPatch};

@@ -1,1 +1,38 @@
-//! Control nets and the patches they span
+//! Control nets and the patches they span.
+//!
+//! A [`Net`] holds control points, each fixed or free. With families of functions (crate `bases`) it spans a
+//! [`TensorPatch`]: Bernstein–Bézier, GT–Bézier, or a blend such as [`tb_coons()`]. Every [`Patch`] gives its [`Jet`]:
+//! position, derivatives to second order, fundamental forms, normal, mean and Gauss curvature; and a
+//! triangle [`Mesh`] with these at its vertices.
+//!
+//! ```
+//! use surfaces::{Mesh, Net, Patch, Point, TensorPatch};
+//!
+//! let line = |a: Point, b: Point| [a, (a + b) * 0.5, b];
+//! let [a, b, c, d] = [[0., 0., 0.], [0., 1., 0.], [1., 0., 0.], [1., 1., 1.]].map(Point::from);
+//! let net = Net::from_boundary(&line(a, b), &line(c, d), &line(a, c), &line(b, d))?;
+//! assert_eq!(net.fixed().iter().filter(|fixed| !**fixed).count(), 1);
+//!
+//! let patch = TensorPatch::gt(net, [1.0, 1.0, 1.0, 1.0])?;
+//! assert!(patch.jet(0.2, 0.8).mean_curvature().is_some());
+//! assert_eq!(Mesh::of(&patch, 10).triangles.len(), 200);
+//! # Ok::<(), surfaces::SurfaceError>(())
+//! ```
+
+mod error;
+mod jet;
+mod mesh;
+mod net;
+mod patch;
+mod point;
+mod tb_coons;
+mod tensor;
+
+pub use error::SurfaceError;
+pub use jet::{FirstForm, Jet, SecondForm};
+pub use mesh::Mesh;
+pub use net::Net;
+pub use patch::{Domain, Patch};
+pub use point::Point;
+pub use tb_coons::{bernstein_less_blend, end_blend, tb_coons};
+pub use tensor::{Product, TensorPatch};

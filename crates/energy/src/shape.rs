@@ -1,0 +1,151 @@
+//! Quadratic energies of GT and TB–Coons patches as polynomials of the shape parameters.
+//!
+//! GT functions are affine in their two parameters, so every Gram integral is a quadratic polynomial in them with six
+//! constant matrices: assembled once, each shape then costs a few multiply-adds and no quadrature.
+
+use std::sync::Arc;
+
+use bases::{Basis, BasisError, GtParts, Matrix, Samples, Stacked};
+use surfaces::{bernstein_less_blend, end_blend};
+
+use crate::{EnergyError, Functional};
+
+/// A Gram matrix as a polynomial `Σ_p x_p(θ) C_p` with monomials x = (1, θ1, θ2, θ1², θ1θ2, θ2²).
+#[derive(Debug, Clone, PartialEq)]
+pub struct GramPolynomial {
+    /// The six coefficient matrices, in the order of the monomials.
+    pub coefficients: [Matrix; 6],
+}
+
+/// `coefficient · left ⊗ right`, by position in [`ShapeForm::left`] and [`ShapeForm::right`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShapeTerm {
+    /// Factor of the product.
+    pub coefficient: f64,
+    /// Which u-factor.
+    pub left: usize,
+    /// Which v-factor.
+    pub right: usize,
+}
+
+/// `Q(α) = Σ coefficient · left(α1, α2) ⊗ right(β1, β2)`: the form of a quadratic energy for every shape at once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShapeForm {
+    /// The distinct u-factors, (m+1)² each.
+    pub left: Vec<GramPolynomial>,
+    /// The distinct v-factors, (n+1)² each.
+    pub right: Vec<GramPolynomial>,
+    /// Which products Q is the sum of.
+    pub terms: Vec<ShapeTerm>,
+}
+
+/// Which patch a [`ShapeForm`] is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShapedPatch {
+    /// The GT–Bézier tensor product patch.
+    Gt,
+    /// The TB–Coons blend.
+    TbCoons,
+}
+
+/// A family affine in θ: 3N functions, the constant parts, the θ1 parts and the θ2 parts of N functions.
+fn affine_families(patch: ShapedPatch, degree: usize, v: bool) -> Result<Vec<Arc<dyn Basis>>, EnergyError> {
+    let gt: Arc<dyn Basis> = Arc::new(GtParts::new(degree)?);
+    if patch == ShapedPatch::Gt {
+        return Ok(vec![gt]);
+    }
+    let less = constant(Arc::new(bernstein_less_blend(degree)?))?;
+    let blend = constant(Arc::new(end_blend(degree)?))?;
+    // The three products of TB–Coons: (B − ℓ) G, G (B − ℓ), ℓ ℓ.
+    Ok(if v { vec![gt, less, blend] } else { vec![less, gt, blend] })
+}
+
+/// A family that does not depend on θ, in the affine layout.
+fn constant(basis: Arc<dyn Basis>) -> Result<Arc<dyn Basis>, BasisError> {
+    let n = basis.count();
+    let map = Matrix::from_fn(3 * n, n, |i, j| f64::from(u8::from(i == j)));
+    Ok(Arc::new(Stacked::new(vec![basis], map)?))
+}
+
+impl GramPolynomial {
+    fn new(f: &Samples, r: usize, g: &Samples, q: usize) -> Self {
+        let gram = f.gram(r, g, q);
+        let n = gram.rows() / 3;
+        let block = |a: usize, b: usize| Matrix::from_fn(n, n, |i, j| gram[(a * n + i, b * n + j)]);
+        let both = |a: usize, b: usize| {
+            Matrix::from_fn(n, n, |i, j| gram[(a * n + i, b * n + j)] + gram[(b * n + i, a * n + j)])
+        };
+        let coefficients = [block(0, 0), both(0, 1), both(0, 2), block(1, 1), both(1, 2), block(2, 2)];
+        Self { coefficients }
+    }
+
+    /// The Gram matrix at shape θ.
+    pub fn at(&self, [t1, t2]: [f64; 2]) -> Matrix {
+        let monomials = [1.0, t1, t2, t1 * t1, t1 * t2, t2 * t2];
+        let mut sum = Matrix::zeros(self.coefficients[0].rows(), self.coefficients[0].cols());
+        for (c, x) in self.coefficients.iter().zip(monomials) {
+            for (s, c) in sum.as_mut_slice().iter_mut().zip(c.as_slice()) {
+                *s += x * c;
+            }
+        }
+        sum
+    }
+}
+
+impl ShapeForm {
+    /// The form of `functional` for patches of bidegree `(m, n)`.
+    ///
+    /// # Errors
+    /// [`EnergyError::Basis`] for degrees below 2, or too large.
+    pub fn of(
+        functional: Functional,
+        patch: ShapedPatch,
+        (m, n): (usize, usize),
+    ) -> Result<Self, EnergyError> {
+        let order = functional.order();
+        let sample = |families: Vec<Arc<dyn Basis>>, degree: usize| {
+            families
+                .iter()
+                .map(|family| Samples::new(family.as_ref(), Samples::points_for(degree + 1), order))
+                .collect::<Result<Vec<_>, _>>()
+        };
+        let u = sample(affine_families(patch, m, false)?, m)?;
+        let v = sample(affine_families(patch, n, true)?, n)?;
+        let (mut left, mut right) = (Factors::new(&u), Factors::new(&v));
+        let mut terms = Vec::new();
+        for s in 0..u.len() {
+            for r in 0..u.len() {
+                for term in functional.terms() {
+                    terms.push(ShapeTerm {
+                        coefficient: term.coefficient,
+                        left: left.index(s, term.u.0, r, term.u.1),
+                        right: right.index(s, term.v.0, r, term.v.1),
+                    });
+                }
+            }
+        }
+        Ok(Self { left: left.grams, right: right.grams, terms })
+    }
+}
+
+/// Gram polynomials made once for each pair of families and orders.
+struct Factors<'a> {
+    families: &'a [Samples],
+    keys: Vec<[usize; 4]>,
+    grams: Vec<GramPolynomial>,
+}
+
+impl<'a> Factors<'a> {
+    fn new(families: &'a [Samples]) -> Self {
+        Self { families, keys: Vec::new(), grams: Vec::new() }
+    }
+
+    fn index(&mut self, s: usize, r: usize, other: usize, q: usize) -> usize {
+        let key = [s, r, other, q];
+        self.keys.iter().position(|k| *k == key).unwrap_or_else(|| {
+            self.keys.push(key);
+            self.grams.push(GramPolynomial::new(&self.families[s], r, &self.families[other], q));
+            self.grams.len() - 1
+        })
+    }
+}

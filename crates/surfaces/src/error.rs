@@ -1,0 +1,59 @@
+use thiserror::Error;
+
+/// Why a control net or a patch could not be made.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SurfaceError {
+    /// A boundary polygon has another number of points than the one opposite.
+    #[error("boundary row {name} has {found} points, the opposite one {expected}")]
+    Length {
+        /// Name of the row as in the experiment file.
+        name: &'static str,
+        /// Points of the opposite row.
+        expected: usize,
+        /// Points found.
+        found: usize,
+    },
+    /// A boundary polygon needs at least two points.
+    #[error("boundary row {name} has {found} points and needs at least 2")]
+    TooShort {
+        /// Name of the row.
+        name: &'static str,
+        /// Points found.
+        found: usize,
+    },
+    /// Two boundary polygons disagree on the corner they share.
+    #[error("corner: {first} has {a:?} and {second} has {b:?}; they must be the same point")]
+    Corner {
+        /// One row, and which end of it.
+        first: &'static str,
+        /// The other row, and which end of it.
+        second: &'static str,
+        /// The corner as the first row has it.
+        a: [f64; 3],
+        /// The corner as the second row has it.
+        b: [f64; 3],
+    },
+    /// A net of points does not have the size its patch needs.
+    #[error("a net of {rows} × {cols} points is needed, got {found} points")]
+    Size {
+        /// Rows needed.
+        rows: usize,
+        /// Columns needed.
+        cols: usize,
+        /// Points found.
+        found: usize,
+    },
+    /// A tensor patch is a sum of products of families and was given none.
+    #[error("a tensor patch needs at least one product of families")]
+    NoProduct,
+    /// A coordinate is not a finite number.
+    #[error("control point {index} is not finite")]
+    NotFinite {
+        /// Position in the list of points.
+        index: usize,
+    },
+    /// The families of the patch could not be made.
+    #[error(transparent)]
+    Basis(#[from] bases::BasisError),
+}

@@ -1,0 +1,142 @@
+//! Patches with separated variables.
+
+use std::sync::Arc;
+
+use bases::{Basis, Bernstein, Gt, Matrix};
+
+use crate::{Domain, Jet, Net, Patch, Point, SurfaceError};
+
+/// One product of families: function (i, j) of a patch is the sum over its products of `f_i(u) g_j(v)`.
+#[derive(Debug, Clone)]
+pub struct Product {
+    /// The family in u, one function per row of the net.
+    pub u: Arc<dyn Basis>,
+    /// The family in v, one function per column of the net.
+    pub v: Arc<dyn Basis>,
+}
+
+/// The patch `S(u, v) = Σ_ij P_ij Σ_s f^s_i(u) g^s_j(v)` on a control net.
+///
+/// With one product it is the tensor product patch of two bases (GT (3.2)); blends such as TB–Coons are sums of
+/// a few products on the same net. Linear in the net, so every quadratic energy of it is a quadratic form
+/// of the net.
+///
+/// ```
+/// use surfaces::{Net, Patch, Point, TensorPatch};
+/// let corner = |x, y, z| Point::new(x, y, z);
+/// let net = Net::new(2, 2, vec![corner(0., 0., 0.), corner(0., 1., 0.), corner(1., 0., 0.), corner(1., 1., 1.)])?;
+/// let saddle = TensorPatch::bernstein(net)?;
+/// assert_eq!(saddle.point(0.5, 0.5), corner(0.5, 0.5, 0.25));
+/// # Ok::<(), surfaces::SurfaceError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct TensorPatch {
+    products: Vec<Product>,
+    net: Net,
+}
+
+impl TensorPatch {
+    /// The patch of `products` on `net`.
+    ///
+    /// # Errors
+    /// [`SurfaceError::NoProduct`] without any product; [`SurfaceError::Size`] if a family does not have as many
+    /// functions as the net has rows (u) or columns (v).
+    pub fn new(products: Vec<Product>, net: Net) -> Result<Self, SurfaceError> {
+        if products.is_empty() {
+            return Err(SurfaceError::NoProduct);
+        }
+        for product in &products {
+            let (rows, cols) = (product.u.count(), product.v.count());
+            if (rows, cols) != (net.rows(), net.cols()) {
+                return Err(SurfaceError::Size { rows, cols, found: net.points().len() });
+            }
+        }
+        Ok(Self { products, net })
+    }
+
+    /// The Bernstein–Bézier patch of a net.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Basis`] for a degree that is not offered.
+    pub fn bernstein(net: Net) -> Result<Self, SurfaceError> {
+        let (m, n) = net.degrees();
+        let product = Product { u: Arc::new(Bernstein::new(m)?), v: Arc::new(Bernstein::new(n)?) };
+        Self::new(vec![product], net)
+    }
+
+    /// The GT–Bézier patch of a net with shape (α1, α2, β1, β2) (GT (3.2)).
+    ///
+    /// # Errors
+    /// [`SurfaceError::Basis`] for a degree below 2 or a shape outside [0, 4].
+    pub fn gt(net: Net, [a1, a2, b1, b2]: [f64; 4]) -> Result<Self, SurfaceError> {
+        let (m, n) = net.degrees();
+        let product = Product { u: Arc::new(Gt::new(m, [a1, a2])?), v: Arc::new(Gt::new(n, [b1, b2])?) };
+        Self::new(vec![product], net)
+    }
+
+    /// The control net.
+    pub fn net(&self) -> &Net {
+        &self.net
+    }
+
+    /// The products of families.
+    pub fn products(&self) -> &[Product] {
+        &self.products
+    }
+
+    /// The ranges of u and v.
+    pub fn rectangle(&self) -> [(f64, f64); 2] {
+        [self.products[0].u.domain(), self.products[0].v.domain()]
+    }
+
+    /// The patch of the same families on another net.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Size`] if the net has another size.
+    pub fn with_net(&self, net: Net) -> Result<Self, SurfaceError> {
+        Self::new(self.products.clone(), net)
+    }
+}
+
+impl Patch for TensorPatch {
+    fn domain(&self) -> Domain {
+        let [u, v] = self.rectangle();
+        Domain::Rectangle { u, v }
+    }
+
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        self.jets(&[u], &[v])[0]
+    }
+
+    fn jets(&self, us: &[f64], vs: &[f64]) -> Vec<Jet> {
+        let (rows, cols) = (self.net.rows(), self.net.cols());
+        let mut jets = vec![Jet::default(); us.len() * vs.len()];
+        for product in &self.products {
+            let v_tables: Vec<Matrix> = vs.iter().map(|&v| product.v.evaluate(v, 2)).collect();
+            for (a, &u) in us.iter().enumerate() {
+                let f = product.u.evaluate(u, 2);
+                // The net contracted in u: for each derivative order one curve in v.
+                let mut curves = [vec![Point::ZERO; cols], vec![Point::ZERO; cols], vec![Point::ZERO; cols]];
+                for (r, curve) in curves.iter_mut().enumerate() {
+                    for i in 0..rows {
+                        for j in 0..cols {
+                            curve[j] += self.net.point(i, j) * f[(r, i)];
+                        }
+                    }
+                }
+                for (b, g) in v_tables.iter().enumerate() {
+                    let jet = &mut jets[a * vs.len() + b];
+                    for j in 0..cols {
+                        jet.point += curves[0][j] * g[(0, j)];
+                        jet.u += curves[1][j] * g[(0, j)];
+                        jet.v += curves[0][j] * g[(1, j)];
+                        jet.uu += curves[2][j] * g[(0, j)];
+                        jet.uv += curves[1][j] * g[(1, j)];
+                        jet.vv += curves[0][j] * g[(2, j)];
+                    }
+                }
+            }
+        }
+        jets
+    }
+}
