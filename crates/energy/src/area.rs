@@ -1,7 +1,7 @@
 //! The area of a patch, `∫ √(EG − F²)`.
 
 use bases::GaussLegendre;
-use surfaces::{Domain, Patch, Point, TensorPatch};
+use surfaces::{Domain, Jet, Patch, Point, TensorPatch};
 
 use crate::EnergyError;
 
@@ -33,61 +33,79 @@ const LARGEST_RULE: usize = 512;
 /// # Errors
 /// [`EnergyError::Basis`] never in fact: all rules used are offered.
 pub fn area(patch: &dyn Patch) -> Result<Integral, EnergyError> {
-    integrate(patch, AREA_TOLERANCE, |jet| jet.area_density())
+    let [area] = integrate(patch, AREA_TOLERANCE, [0.0], |jet| [jet.area_density()])?;
+    Ok(area)
 }
 
-/// The integral of any density of the jet over the domain of the patch, by the same doubling to `tolerance`
-/// (relative).
+/// The integrals of K densities of the jet over the domain of the patch, in one pass, by the same doubling until
+/// every one has settled to `tolerance` relative to its value or to its `floor`, whichever is larger.
+///
+/// The floor says what counts as zero for an integral that may vanish, such as the Laplacian defect of a harmonic
+/// patch: a number of the size of what cancels in it. Give 0 for integrals that cannot vanish.
 ///
 /// # Errors
 /// [`EnergyError::Basis`] never in fact: all rules used are offered.
-pub fn integrate(
+pub fn integrate<const K: usize>(
     patch: &dyn Patch,
     tolerance: f64,
-    density: impl Fn(&surfaces::Jet) -> f64,
-) -> Result<Integral, EnergyError> {
+    floors: [f64; K],
+    densities: impl Fn(&Jet) -> [f64; K],
+) -> Result<[Integral; K], EnergyError> {
     let mut points = FIRST_RULE;
-    let mut last = by_rule(patch, points, &density)?;
+    let mut last = by_rule(patch, points, &densities)?;
     loop {
         points *= 2;
-        let value = by_rule(patch, points, &density)?;
-        let error = (value - last).abs() + 64.0 * f64::EPSILON * value.abs();
-        let settled = error <= tolerance * value.abs();
-        if settled || points >= LARGEST_RULE || !value.is_finite() {
-            return Ok(Integral { value, error, points, settled });
+        let values = by_rule(patch, points, &densities)?;
+        let integrals: [Integral; K] = std::array::from_fn(|k| {
+            let value = values[k];
+            let error = (value - last[k]).abs() + 64.0 * f64::EPSILON * value.abs();
+            Integral { value, error, points, settled: error <= tolerance * value.abs().max(floors[k]) }
+        });
+        let done = integrals.iter().all(|i| i.settled || !i.value.is_finite());
+        if done || points >= LARGEST_RULE {
+            return Ok(integrals);
         }
-        last = value;
+        last = values;
     }
 }
 
 /// `Σ w · density` over the product rule of `points`² points; over a triangle, the rule of the square collapsed onto it.
-fn by_rule(
+fn by_rule<const K: usize>(
     patch: &dyn Patch,
     points: usize,
-    density: &impl Fn(&surfaces::Jet) -> f64,
-) -> Result<f64, EnergyError> {
+    densities: &impl Fn(&Jet) -> [f64; K],
+) -> Result<[f64; K], EnergyError> {
     let unit = GaussLegendre::new(points)?;
+    let mut sums = [0.0; K];
+    let mut add = |w: f64, line: [f64; K]| (0..K).for_each(|k| sums[k] += w * line[k]);
+    let line = |jets: &mut dyn Iterator<Item = (f64, Jet)>| {
+        let mut line = [0.0; K];
+        for (w, jet) in jets {
+            let density = densities(&jet);
+            (0..K).for_each(|k| line[k] += w * density[k]);
+        }
+        line
+    };
     match patch.domain() {
         Domain::Rectangle { u, v } => {
             let (rule_u, rule_v) = (unit.clone().on(u.0, u.1), unit.on(v.0, v.1));
             let us: Vec<f64> = rule_u.iter().map(|(t, _)| t).collect();
             let vs: Vec<f64> = rule_v.iter().map(|(t, _)| t).collect();
-            let mut sum = 0.0;
             for (a, row) in patch.jets(&us, &vs).chunks_exact(points).enumerate() {
-                let line: f64 = row.iter().enumerate().map(|(b, jet)| rule_v.weight(b) * density(jet)).sum();
-                sum += rule_u.weight(a) * line;
+                add(
+                    rule_u.weight(a),
+                    line(&mut row.iter().enumerate().map(|(b, jet)| (rule_v.weight(b), *jet))),
+                );
             }
-            Ok(sum)
         }
         Domain::Triangle => {
-            let mut sum = 0.0;
             for (s, ws) in unit.iter() {
-                let line: f64 = unit.iter().map(|(t, wt)| wt * density(&patch.jet(s, (1.0 - s) * t))).sum();
-                sum += ws * (1.0 - s) * line;
+                let jets = &mut unit.iter().map(|(t, wt)| (wt, patch.jet(s, (1.0 - s) * t)));
+                add(ws * (1.0 - s), line(jets));
             }
-            Ok(sum)
         }
     }
+    Ok(sums)
 }
 
 /// The area of a tensor patch and its gradient with respect to the coordinates of the net, in the layout of

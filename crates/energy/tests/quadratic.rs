@@ -44,7 +44,7 @@ proptest! {
     #[test]
     fn values_are_the_integrals_of_the_densities(patch in patch(), f in prop::sample::select(ALL.to_vec())) {
         let by_form = QuadraticForm::of(f, &patch).unwrap().value(&patch.net().coordinates());
-        let by_quadrature = integrate(&patch, 1e-12, density(f)).unwrap();
+        let [by_quadrature] = integrate(&patch, 1e-12, [0.0], |jet| [density(f)(jet)]).unwrap();
         prop_assert!(by_quadrature.settled);
         prop_assert!((by_form - by_quadrature.value).abs() <= 1e-11 * by_form.abs(), "{by_form} {by_quadrature:?}");
     }
