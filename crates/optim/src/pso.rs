@@ -19,7 +19,7 @@ use crate::topology::Topology;
 /// over all own bests, ties to the smaller index.
 ///
 /// Particle `i` of run `r` draws from ChaCha8 stream `i` under the key (seed, r): first its
-/// position, then its velocity, then `r₁` and `r₂` of each iteration. So a run's report depends on
+/// position, then its velocity, then in each iteration `r₁` and `r₂` of every component in turn. So a run's report depends on
 /// the parameters, the objective, the box and `r` alone: not on threads, batches or other runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pso {
@@ -59,9 +59,9 @@ pub struct Stagnation {
 }
 
 /// The largest number of particles.
-pub const MAX_PARTICLES: usize = 1_000_000;
+pub const MAX_PARTICLES: usize = 100_000;
 /// The largest number of coordinates of a swarm, particles × dimension.
-pub const MAX_COORDINATES: usize = 10_000_000;
+pub const MAX_COORDINATES: usize = 4_000_000;
 /// The largest number of evaluations of a run, particles × (iterations + 1).
 pub const MAX_EVALUATIONS: usize = 1_000_000_000;
 /// The largest number of iterations of all runs of a search, runs × (iterations + 1).

@@ -42,21 +42,25 @@ impl Source {
     }
 }
 
+/// The upper 53 bits as a fraction of 2⁵³.
+#[inline]
+pub(crate) fn unit(word: u64) -> f64 {
+    const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
+    (word >> 11) as f64 * UNIT
+}
+
 /// Uniform numbers in `[0, 1)`, multiples of 2⁻⁵³.
 pub(crate) struct Stream(ChaCha8Rng);
 
 impl Stream {
     #[inline]
     pub(crate) fn uniform(&mut self) -> f64 {
-        const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
-        (self.0.next_u64() >> 11) as f64 * UNIT
+        unit(self.0.next_u64())
     }
 
-    #[inline]
-    pub(crate) fn fill(&mut self, numbers: &mut [f64]) {
-        for number in numbers {
-            *number = self.uniform();
-        }
+    /// The next bytes of the stream: eight of them, little-endian, are the word of one uniform number.
+    pub(crate) fn fill_bytes(&mut self, bytes: &mut [u8]) {
+        self.0.fill_bytes(bytes);
     }
 }
 
@@ -83,6 +87,19 @@ mod tests {
             }
         }
         assert_eq!(draws[0], first(Purpose::Swarm, 1, 2, 3));
+    }
+
+    #[test]
+    fn bytes_and_numbers_are_the_same_stream() {
+        let source = Source::new(Purpose::Swarm, 5, 6);
+        let (mut numbers, mut bytes) = (source.stream(7), source.stream(7));
+        let mut row = [0; 8 * 12];
+        for _ in 0..20 {
+            bytes.fill_bytes(&mut row);
+            for word in row.as_chunks().0 {
+                assert_eq!(unit(u64::from_le_bytes(*word)), numbers.uniform());
+            }
+        }
     }
 
     #[test]

@@ -59,6 +59,7 @@ impl Informants {
     fn scan_ring(&mut self, values: &[f64], neighbours: usize) {
         let particles = values.len();
         let full = 2 * neighbours + 1;
+        let wrap = |i: usize| if i < particles { i } else { i - particles };
         let [current, next] = &mut self.windows;
         for (i, window) in current.iter_mut().enumerate() {
             *window = i;
@@ -67,14 +68,14 @@ impl Informants {
         let mut length = 1;
         while 2 * length <= full {
             for i in 0..particles {
-                next[i] = better(values, current[i], current[(i + length) % particles]);
+                next[i] = better(values, current[i], current[wrap(i + length)]);
             }
             std::mem::swap(current, next);
             length *= 2;
         }
         for i in 0..particles {
-            let begin = (i + particles - neighbours) % particles;
-            let overlap = (begin + full - length) % particles;
+            let begin = wrap(i + particles - neighbours);
+            let overlap = wrap(begin + full - length);
             self.index[i] = better(values, current[begin], current[overlap]);
         }
     }
