@@ -121,6 +121,12 @@ pub enum SolveError {
         /// The largest value accepted.
         limit: usize,
     },
+    /// The processor cannot take the arithmetic path that was asked for.
+    #[error("this processor has no {path} path; use Path::detect()")]
+    PathUnavailable {
+        /// The path.
+        path: crate::Path,
+    },
     /// An iteration for singular values or eigenvalues did not converge.
     #[error("the iteration for the {what} of a matrix of order {order} did not converge")]
     NoConvergence {

@@ -12,6 +12,7 @@ mod condition;
 mod dense;
 mod error;
 mod memory;
+mod parametric;
 mod partition;
 mod scale;
 
@@ -20,4 +21,5 @@ pub use dense::{
     solve_general, solve_partitioned, solve_rank, solve_spd,
 };
 pub use error::{Place, SolveError};
+pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};
 pub use partition::Partition;

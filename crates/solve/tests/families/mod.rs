@@ -160,3 +160,117 @@ pub(crate) fn energy(order: usize, matrix: &[f64], x: &[f64]) -> f64 {
 pub(crate) fn interior(degree: usize) -> Vec<usize> {
     (1..degree).collect()
 }
+
+/// Gauss points and weights, and the values and derivatives of the GT basis at them: three constant parts.
+pub(crate) struct GtSamples {
+    pub(crate) points: usize,
+    pub(crate) functions: usize,
+    pub(crate) weights: Vec<f64>,
+    pub(crate) values: [Vec<f64>; 3],
+    pub(crate) derivatives: [Vec<f64>; 3],
+}
+
+impl GtSamples {
+    pub(crate) fn new(degree: usize) -> Self {
+        let points = degree + 14;
+        let (nodes, weights) = gauss(points);
+        let mut samples = Self {
+            points,
+            functions: degree + 1,
+            weights,
+            values: Default::default(),
+            derivatives: Default::default(),
+        };
+        for t in nodes {
+            for (k, (values, derivatives)) in gt(degree, t).into_iter().enumerate() {
+                samples.values[k].extend(values);
+                samples.derivatives[k].extend(derivatives);
+            }
+        }
+        samples
+    }
+
+    /// The samples at one parameter.
+    pub(crate) fn at(&self, theta: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
+        let mix = |parts: &[Vec<f64>; 3]| {
+            (0..parts[0].len())
+                .map(|k| parts[0][k] + theta[0] * parts[1][k] + theta[1] * parts[2][k])
+                .collect()
+        };
+        (mix(&self.values), mix(&self.derivatives))
+    }
+
+    /// The Gram matrices of derivatives and of values as quadratic polynomials: coefficients of 1, θ₁, θ₂, θ₁², …
+    pub(crate) fn grams(&self) -> [[Vec<f64>; 6]; 2] {
+        [&self.derivatives, &self.values].map(|parts| {
+            let product = |p: usize, q: usize| -> Vec<f64> {
+                let n = self.functions;
+                let mut sum = vec![0.0; n * n];
+                for (k, w) in self.weights.iter().enumerate() {
+                    for i in 0..n {
+                        for j in 0..n {
+                            let (a, b) = (&parts[p][k * n..(k + 1) * n], &parts[q][k * n..(k + 1) * n]);
+                            sum[i * n + j] += w * (a[i] * b[j] + if p == q { 0.0 } else { a[j] * b[i] });
+                        }
+                    }
+                }
+                sum
+            };
+            [product(0, 0), product(0, 1), product(0, 2), product(1, 1), product(1, 2), product(2, 2)]
+        })
+    }
+}
+
+/// The Dirichlet problem ½(K⊗M + M⊗K) of a GT net of m × n degrees, the interior free.
+pub(crate) fn gt_dirichlet(degrees: [usize; 2], values: Vec<f64>) -> solve::ParametricProblem {
+    let matrices = |degree: usize| -> Vec<solve::PolynomialMatrix> {
+        let size = degree + 1;
+        let grams = GtSamples::new(degree).grams();
+        grams
+            .into_iter()
+            .map(|coefficients| solve::PolynomialMatrix { rows: size, cols: size, coefficients })
+            .collect()
+    };
+    solve::ParametricProblem {
+        left: matrices(degrees[0]),
+        right: matrices(degrees[1]),
+        terms: vec![
+            solve::Term { coefficient: 0.5, left: 0, right: 1 },
+            solve::Term { coefficient: 0.5, left: 1, right: 0 },
+        ],
+        free_left: interior(degrees[0]),
+        free_right: interior(degrees[1]),
+        values,
+    }
+}
+
+/// The net of GT Example 5.1, with P₃₀ = (0, 6, 0); interior points are not given.
+pub(crate) fn example_5_1() -> Vec<f64> {
+    let mut net = vec![f64::NAN; 48];
+    let mut put =
+        |i: usize, j: usize, p: [f64; 3]| net[3 * (4 * i + j)..3 * (4 * i + j) + 3].copy_from_slice(&p);
+    for (k, (at, height)) in [(0.0, 0.0), (2.0, 2.0), (4.0, -2.0), (6.0, 0.0)].into_iter().enumerate() {
+        put(0, k, [at, 0.0, height]);
+        put(3, k, [at, 6.0, height]);
+        put(k, 0, [0.0, at, height]);
+        put(k, 3, [6.0, at, height]);
+    }
+    net
+}
+
+/// A net that follows a smooth surface with a little noise: boundary data of every size of energy.
+pub(crate) fn smooth_net(random: &mut Random, degrees: [usize; 2]) -> Vec<f64> {
+    let [m, n] = degrees;
+    let mut net = Vec::new();
+    for i in 0..=m {
+        for j in 0..=n {
+            let (u, v) = (i as f64 / m as f64, j as f64 / n as f64);
+            net.extend([
+                u + 0.1 * random.signed(),
+                v + 0.1 * random.signed(),
+                (3.0 * u).sin() * v + 0.1 * random.signed(),
+            ]);
+        }
+    }
+    net
+}

@@ -1,0 +1,54 @@
+//! Nanoseconds for one reduced energy on both paths: `cargo run --release -p solve --example timing`.
+#![allow(clippy::print_stdout)]
+
+#[path = "../tests/families/mod.rs"]
+mod families;
+
+use families::{Random, example_5_1, gt_dirichlet, smooth_net};
+use solve::{Parametric, Path};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// The least of several timings of `work`, in nanoseconds.
+fn nanoseconds(repeats: usize, mut work: impl FnMut()) -> f64 {
+    work();
+    (0..15)
+        .map(|_| {
+            let start = Instant::now();
+            (0..repeats).for_each(|_| work());
+            start.elapsed().as_nanos() as f64 / repeats as f64
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+fn main() -> Result<(), solve::SolveError> {
+    let mut random = Random(1);
+    let mut point = || [0.0; 4].map(|_: f64| 2.0 + 1.4 * random.signed());
+    let points: Vec<f64> = (0..64).flat_map(|_| point()).collect();
+    println!(
+        "{:>6} {:>9} {:>12} {:>12} {:>12}",
+        "degree", "path", "ns/J batch", "ns/J single", "ns gradient"
+    );
+    for degree in [3usize, 4, 5, 8, 10] {
+        let net = if degree == 3 { example_5_1() } else { smooth_net(&mut Random(2), [degree, degree]) };
+        let parametric = Parametric::new(&gt_dirichlet([degree, degree], net))?;
+        for path in [Path::Portable, Path::Fma] {
+            let Ok(parametric) = parametric.clone().with_path(path) else { continue };
+            let repeats = 40_000 / degree.pow(4) + 1;
+            let mut out = vec![0.0; 64];
+            let batch = nanoseconds(repeats, || {
+                let _ = parametric.values(black_box(&points), black_box(&mut out));
+            }) / 64.0;
+            let start = [1.1, 0.9, 1.3, 2.0];
+            let single = nanoseconds(16 * repeats, || {
+                black_box(parametric.value(black_box(&start)));
+            });
+            let mut gradient = [0.0; 4];
+            let with_gradient = nanoseconds(16 * repeats, || {
+                black_box(parametric.value_and_gradient(black_box(&start), &mut gradient));
+            });
+            println!("{degree:>6} {path:>9} {batch:>12.1} {single:>12.1} {with_gradient:>12.1}");
+        }
+    }
+    Ok(())
+}
