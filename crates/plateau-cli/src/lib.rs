@@ -1,10 +1,60 @@
 //! The plateau workbench: experiment files in, surfaces and tables out.
+//!
+//! A [`Plan`] is an experiment file, read and checked ([`Diagnostic`]s point at what is wrong with it). [`run()`] computes
+//! every method of a plan: the boundary net, the extremal of an energy, the search for shape parameters, the [`Figures`]
+//! of the patch found. [`table()`] prints them, [`deliver()`] writes `result.json` and the files for other programs.
+//! The library touches neither the terminal nor the command line.
+//!
+//! ```
+//! use plateau::{Options, Plan, Quantity, run, table};
+//!
+//! let text = r#"
+//!     title = "A bilinear saddle, degree 2"
+//!     [boundary]
+//!     u0 = [[0, 0, 0], [0, 1, 0], [0, 2, 0]]
+//!     u1 = [[2, 0, 0], [2, 1, 1], [2, 2, 2]]
+//!     v0 = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]
+//!     v1 = [[0, 2, 0], [1, 2, 1], [2, 2, 2]]
+//!     [[method]]
+//!     name = "Dirichlet"
+//!     basis = "bernstein"
+//!     energy = "dirichlet"
+//! "#;
+//! let plan = Plan::parse("saddle.toml", text)?;
+//! let finished = run(&plan, Options::default(), &())?;
+//! let area = finished.methods[0].figure(Quantity::Area).expect("the method succeeds");
+//! assert!((area - 5.123).abs() < 1e-2 && table(&finished).contains("Dirichlet"), "{area}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
+mod arithmetic;
+mod atomic;
+mod deliver;
+mod diagnostic;
+mod export;
+mod figures;
+mod method;
 mod plan;
+mod progress;
+mod report;
+mod result;
+mod run;
+mod spec;
+mod template;
 
+pub use arithmetic::Arithmetic;
+pub use deliver::{DeliverError, deliver};
+pub use diagnostic::{Diagnostic, Fault, Refusal};
+pub use figures::Figures;
+pub use method::{MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface};
 pub use plan::{
     AHT_SPAN_BOUND, AT_SPAN_BOUND, Basis, Boundary, Curve, CurveBasis, Deformation, DeformationPath, Energy,
     Expected, Experiment, Format, Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE,
     MAX_SEARCH_BUDGET, Mask, Method, Output, Patch, PatchExperiment, Plan, Published, Quantity, Search,
     SearchMode, Shape, SolverChoice, TrapeziumHelicoid, Variant,
 };
+pub use progress::Progress;
+pub use report::table;
+pub use result::{ResultFile, SCHEMA};
+pub use run::{Done, Finished, MethodResult, Missed, Options, run};
+pub use template::Template;

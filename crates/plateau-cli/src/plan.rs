@@ -6,8 +6,16 @@
 
 use std::fmt;
 
+mod boundary;
+mod check;
+mod curve;
 mod expected;
+mod file;
+mod helicoid;
+mod method;
+mod number;
 mod patch;
+mod search;
 
 pub use expected::{Expected, Published, Quantity};
 pub use patch::{

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+pub(super) mod check;
+
 /// A figure of a result, named as in `result.json` but in kebab-case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {

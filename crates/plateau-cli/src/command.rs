@@ -1,0 +1,196 @@
+//! The command line: what may be typed, and the small steps behind `check`, `new` and `completions`.
+
+use std::collections::HashMap;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use clap::builder::PossibleValue;
+use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use plateau::{Experiment, Plan, Refusal, Template};
+
+/// Patches of least energy and least area over a given boundary.
+///
+/// Control points of a boundary in, the best patch that spans them out, with figures that say how
+/// good it is. Begin with `plateau new tensor > first.toml`.
+#[derive(Debug, Parser)]
+#[command(name = "plateau", version, arg_required_else_help = true, after_help = EXIT_STATUS)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXIT_STATUS: &str = "Exit status: 0 done; 1 it ran, but an expected number was missed or a solve failed; \
+                           2 bad usage or bad input.";
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run experiments: a table for each on stdout, and DIR/<file stem>/result.json
+    Run(RunArguments),
+    /// Check experiment files without running them
+    Check {
+        /// Experiment files (TOML)
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+    },
+    /// Print a commented experiment file to begin with
+    New {
+        /// The kind of experiment
+        kind: Kind,
+    },
+    /// Print a completion script for a shell
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+}
+
+/// What `run` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct RunArguments {
+    /// Experiment files (TOML)
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// Folder of the results
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    pub(crate) out: PathBuf,
+    /// Seed instead of the files' own, at most 2^63 - 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    pub(crate) seed: Option<u64>,
+    /// Threads to use; by default one per processor. The results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// No progress on stderr
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+    /// Instructions of the linear algebra: portable ones give the same bits on every processor
+    #[arg(long, value_name = "SET", default_value = "auto")]
+    pub(crate) arithmetic: Arithmetic,
+}
+
+/// Which instructions the linear algebra may use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Arithmetic {
+    /// The fastest this processor has
+    Auto,
+    /// None beyond the baseline
+    Portable,
+    /// Fused multiply-add; an error where the processor lacks it
+    Fma,
+}
+
+/// A template's name; `patch` is another word for `tensor`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kind(pub(crate) Template);
+
+impl ValueEnum for Kind {
+    fn value_variants<'a>() -> &'a [Self] {
+        static KINDS: [Kind; Template::ALL.len()] = {
+            let mut kinds = [Kind(Template::Tensor); Template::ALL.len()];
+            let mut k = 0;
+            while k < kinds.len() {
+                kinds[k] = Kind(Template::ALL[k]);
+                k += 1;
+            }
+            kinds
+        };
+        &KINDS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let value = PossibleValue::new(self.0.name()).help(self.0.summary());
+        Some(if self.0 == Template::Tensor { value.alias("patch") } else { value })
+    }
+}
+
+/// Why a command ends with a status other than 0.
+pub(crate) enum Failure {
+    /// Bad usage or bad input, already told on stderr: status 2.
+    Input,
+    /// It ran, but something is not as it should be; already told on stderr: status 1.
+    Result,
+    /// The output could not be written.
+    Output(io::Error),
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// Every file as a plan, or every refusal on stderr.
+pub(crate) fn read_plans(files: &[PathBuf]) -> Result<Vec<Plan>, Failure> {
+    let mut plans = Vec::new();
+    for file in files {
+        match Plan::read(file) {
+            Ok(plan) => plans.push(plan),
+            Err(refusal) => tell(&refusal),
+        }
+    }
+    if plans.len() == files.len() { Ok(plans) } else { Err(Failure::Input) }
+}
+
+/// Two files whose results would lie in the same folder are bad usage.
+pub(crate) fn distinct_stems(plans: &[Plan], out: &Path) -> Result<(), Failure> {
+    let mut first: HashMap<&str, &str> = HashMap::new();
+    for plan in plans {
+        if let Some(other) = first.insert(&plan.stem, &plan.file) {
+            let folder = out.join(&plan.stem);
+            say(&format!(
+                "error: {other} and {} would both write to {}: rename one, or run them with different --out",
+                plan.file,
+                folder.display()
+            ));
+            return Err(Failure::Input);
+        }
+    }
+    Ok(())
+}
+
+/// `check`: one line for each sound file on stdout.
+pub(crate) fn check(files: &[PathBuf], stdout: &mut impl Write) -> Result<(), Failure> {
+    let mut sound = true;
+    for file in files {
+        match Plan::read(file) {
+            Ok(plan) => writeln!(stdout, "{}: sound, {}", plan.file, subject(&plan))?,
+            Err(refusal) => {
+                stdout.flush()?;
+                tell(&refusal);
+                sound = false;
+            }
+        }
+    }
+    if sound { Ok(()) } else { Err(Failure::Input) }
+}
+
+/// `completions`.
+pub(crate) fn completions(shell: Shell, stdout: &mut impl Write) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "plateau", &mut script);
+    Ok(stdout.write_all(&script)?)
+}
+
+fn subject(plan: &Plan) -> String {
+    match &plan.experiment {
+        Experiment::Patch(patches) => match patches.methods.len() {
+            1 => "1 method".to_owned(),
+            count => format!("{count} methods"),
+        },
+        Experiment::Helicoid(_) => "a helicoid".to_owned(),
+        Experiment::TrapeziumHelicoid(_) => "a helicoid over a trapezium".to_owned(),
+        Experiment::Curve(curve) => format!("a curve at {} samples", curve.samples.len()),
+    }
+}
+
+/// A refusal on stderr, coloured only on a terminal that wants colours.
+fn tell(refusal: &Refusal) {
+    let wanted = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    say(&refusal.render(wanted && io::stderr().is_terminal()));
+}
+
+/// A line on stderr; if stderr is closed there is nobody left to tell.
+pub(crate) fn say(message: &str) {
+    let _ = writeln!(io::stderr().lock(), "{message}");
+}

@@ -1,0 +1,58 @@
+//! The figures a patch is judged by.
+
+use energy::{EnergyError, Integral, area, integrate};
+use surfaces::{Mesh, Patch};
+
+/// Energies, area and curvature of a patch, each computed by quadrature from the patch itself, whatever made it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Figures {
+    /// Dirichlet energy ½∫(E + G), length².
+    pub dirichlet: Integral,
+    /// Area ∫√(EG − F²), length².
+    pub area: Integral,
+    /// ∫‖x_uu + x_vv‖², length².
+    pub laplacian_defect: Integral,
+    /// ∫‖x_uu‖² + 2‖x_uv‖² + ‖x_vv‖², length².
+    pub bending: Integral,
+    /// (D − A)/A: 0 exactly for conformal charts. None for a patch without area.
+    pub conformality_gap: Option<f64>,
+    /// Largest |H| at the vertices of the mesh, 1/length. None if the patch is singular at all of them.
+    pub mean_curvature_max: Option<f64>,
+    /// Root mean square of H over the area, 1/length. None for a patch without area, or if it does not exist.
+    pub mean_curvature_rms: Option<f64>,
+}
+
+/// Relative accuracy asked of the energies.
+const TOLERANCE: f64 = 1e-12;
+
+impl Figures {
+    /// The figures of `patch`; `mesh` is a mesh of the same patch.
+    ///
+    /// # Errors
+    /// As [`energy::integrate`].
+    pub fn of(patch: &dyn Patch, mesh: &Mesh) -> Result<Self, EnergyError> {
+        let area = area(patch)?;
+        let [dirichlet] = integrate(patch, TOLERANCE, [0.0], |jet| [jet.dirichlet_density()])?;
+        let scale = dirichlet.value;
+        let [laplacian_defect, bending] = integrate(patch, TOLERANCE, [scale; 2], |jet| {
+            let laplacian = jet.laplacian();
+            [laplacian.dot(laplacian), jet.uu.dot(jet.uu) + 2.0 * jet.uv.dot(jet.uv) + jet.vv.dot(jet.vv)]
+        })?;
+        // ∫H² has no unit: measured against 1. It may diverge at singular points; then it stays unsettled.
+        let [willmore] = integrate(patch, 1e-6, [1.0], |jet| {
+            [jet.mean_curvature().map_or(0.0, |h| h * h * jet.area_density())]
+        })?;
+        let has_area = area.value > 0.0;
+        let rms = (willmore.value / area.value).sqrt();
+        let largest = mesh.mean_curvature.iter().flatten().map(|h| h.abs()).reduce(f64::max);
+        Ok(Self {
+            dirichlet,
+            area,
+            laplacian_defect,
+            bending,
+            conformality_gap: has_area.then(|| (dirichlet.value - area.value) / area.value),
+            mean_curvature_max: largest.filter(|h| h.is_finite()),
+            mean_curvature_rms: (has_area && willmore.settled && rms.is_finite()).then_some(rms),
+        })
+    }
+}

@@ -1,0 +1,121 @@
+//! Methods: what joins a boundary, an energy and a solver into a patch.
+
+mod error;
+mod extremal;
+mod search;
+
+use surfaces::{Mesh, Net, Patch as SurfacePatch, Point, TensorPatch, tb_coons};
+
+pub use error::MethodError;
+pub use search::{SearchOutcome, SearchRun};
+
+use crate::{Arithmetic, Basis, Boundary, Energy, Interior, Method, Patch, PatchExperiment, Progress, Shape};
+
+/// The patch a method found, with what is known of the way to it.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    /// The patch.
+    pub surface: Surface,
+    /// The shape parameters (α1, α2, β1, β2), for bases that have them.
+    pub shape: Option<[f64; 4]>,
+    /// How the interior was solved for, if it was.
+    pub solve: Option<SolveFigures>,
+    /// The search for shape parameters, if there was one.
+    pub search: Option<SearchOutcome>,
+}
+
+/// What is known of a linear solve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SolveFigures {
+    /// Which solver.
+    pub solver: &'static str,
+    /// Residual as LAPACK's tests scale it: about 1 is rounding, above 30 a failure.
+    pub residual: f64,
+    /// Estimate of the condition number of the system.
+    pub condition: f64,
+}
+
+/// A patch of any kind.
+#[derive(Debug, Clone)]
+pub enum Surface {
+    /// On a rectangular net.
+    Tensor(TensorPatch),
+}
+
+impl Surface {
+    /// The patch as such.
+    pub fn patch(&self) -> &dyn SurfacePatch {
+        match self {
+            Self::Tensor(patch) => patch,
+        }
+    }
+
+    /// Its triangle mesh.
+    pub fn mesh(&self, subdivisions: usize) -> Mesh {
+        Mesh::of(self.patch(), subdivisions)
+    }
+}
+
+/// What all methods of an experiment share while they run.
+pub(crate) struct Context<'a> {
+    pub(crate) experiment: &'a PatchExperiment,
+    pub(crate) seed: u64,
+    pub(crate) arithmetic: Arithmetic,
+    pub(crate) progress: &'a dyn Progress,
+}
+
+/// Runs one method.
+pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
+    let net = boundary_net(method, &context.experiment.boundary)?;
+    let (shape, search) = match method.shape {
+        Shape::None => (None, None),
+        Shape::Fixed(shape) => (Some(shape), None),
+        Shape::Search(mode) => {
+            let outcome = search::search(&net, method, mode, context)?;
+            (Some(outcome.shape), Some(outcome))
+        }
+    };
+    let patch = with_shape(net, method, shape)?;
+    let (patch, solve) = extremal::solve(&patch, method)?;
+    Ok(Solved { surface: Surface::Tensor(patch), shape, solve: Some(solve), search })
+}
+
+/// The net with its boundary fixed, raised as the method asks.
+fn boundary_net(method: &Method, boundary: &Boundary) -> Result<Net, MethodError> {
+    let points = |row: &[[f64; 3]]| row.iter().copied().map(Point::from).collect::<Vec<_>>();
+    match boundary {
+        Boundary::Tensor { u0, u1, v0, v1 } => {
+            let net = Net::from_boundary(&points(u0), &points(u1), &points(v0), &points(v1))?;
+            Ok(net.raised(method.raise))
+        }
+        _ => Err(MethodError::Unavailable { what: "this kind of boundary" }),
+    }
+}
+
+/// The patch of a method on a net, its interior not yet solved for.
+fn with_shape(net: Net, method: &Method, shape: Option<[f64; 4]>) -> Result<TensorPatch, MethodError> {
+    Ok(match (method.patch, method.basis, shape) {
+        (Patch::TbCoons, _, Some(shape)) => tb_coons(net, shape)?,
+        (_, Basis::Gt, Some(shape)) => TensorPatch::gt(net, shape)?,
+        _ => TensorPatch::bernstein(net)?,
+    })
+}
+
+/// The quadratic functional behind an energy of the plan; none for the area.
+fn functional(energy: Energy) -> Option<energy::Functional> {
+    match energy {
+        Energy::Dirichlet => Some(energy::Functional::Dirichlet),
+        Energy::Laplacian => Some(energy::Functional::Laplacian),
+        Energy::Bending => Some(energy::Functional::Bending),
+        Energy::Coons => Some(energy::Functional::Coons),
+        Energy::Area => None,
+    }
+}
+
+/// The energy whose extremal a method's interior is; none for constructions.
+fn extremal_energy(method: &Method) -> Option<Energy> {
+    match method.interior {
+        Interior::Extremal { energy, .. } => Some(energy),
+        _ => None,
+    }
+}

@@ -1,0 +1,160 @@
+//! `[helicoid]` and `[trapezium-helicoid]`.
+
+use serde_spanned::Spanned;
+
+use super::check::{Check, Table, top};
+use super::expected::check::{Subject, expected};
+use super::number::shown;
+use super::{AT_SPAN_BOUND, Deformation, DeformationPath, Expected, Helicoid, TrapeziumHelicoid};
+use crate::diagnostic::{Diagnostic, Fault};
+use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, TrapeziumSpec};
+
+/// Largest weight: with cosh u ≤ cosh 100 the coordinates stay far below overflow.
+const LARGEST_WEIGHT: f64 = 1e100;
+
+/// Checks `[helicoid]`.
+pub(super) fn helicoid(
+    check: &mut Check<'_>,
+    spec: &Spanned<HelicoidSpec>,
+    expect: &Key<ExpectSpec>,
+) -> Option<Helicoid> {
+    let table = check.table("[helicoid]", spec.span(), &top("helicoid"));
+    let spec = spec.get_ref();
+    let a = weight(check, &table, "a", &spec.a);
+    let b = weight(check, &table, "b", &spec.b);
+    let u_span = length(check, &table, "u-span", &spec.u_span, 100.0);
+    let v_span = length(check, &table, "v-span", &spec.v_span, 1000.0);
+    let deformation = deformation(check, &table, spec);
+    let expect = expectations(check, expect, Subject::Helicoid);
+    if let (Some(0.0), Some(0.0), Some(key)) = (a, b, &spec.b) {
+        check.inadmissible(
+            key.span(),
+            "[helicoid] has a = 0 and b = 0: the surface shrinks to a point",
+            "a is zero, too",
+            "a = 1, b = 0 is the right helicoid, a = 0, b = 1 the catenoid: make one of the two nonzero",
+        );
+        return None;
+    }
+    Some(Helicoid {
+        a: a?,
+        b: b?,
+        u_span: u_span?,
+        v_span: v_span?,
+        deformation: deformation?,
+        expect: expect?,
+    })
+}
+
+fn weight(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<Number>) -> Option<f64> {
+    let help = "x = a sinh u cos v - b cosh u sin v, y = a sinh u sin v + b cosh u cos v, z = a v + b u: give both a and b";
+    let key = check.required(table, name, key, help)?;
+    check.number(table, name, key, (|x| x.abs() <= LARGEST_WEIGHT, "between -1e100 and 1e100"), help)
+}
+
+fn length(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<Number>, most: f64) -> Option<f64> {
+    let help = format!(
+        "it is the length of the parameter interval [0, {name}]; spans above 7.853 are split into several patches"
+    );
+    let key = check.required(table, name, key, &help)?;
+    let set = format!("above 0 and at most {most}");
+    check.number(table, name, key, (|x| x > 0.0 && x <= most, &set), &help)
+}
+
+/// `None` if faulty; `Some(None)` if there is none.
+fn deformation(check: &mut Check<'_>, table: &Table, spec: &HelicoidSpec) -> Option<Option<Deformation>> {
+    let names = [("trigonometric", DeformationPath::Trigonometric), ("linear", DeformationPath::Linear)];
+    let path = match &spec.path {
+        Some(key) => check.choice(table, "path", key, &names),
+        None => Some(DeformationPath::default()),
+    };
+    match (&spec.frames, &spec.path) {
+        (Some(frames), _) => {
+            let help = "it is the number of surfaces from (a, b) = (1, 0) to (0, 1), both ends included";
+            let frames = check.count(table, "frames", frames, 2..=1000, help)?;
+            Some(Some(Deformation { frames, path: path? }))
+        }
+        (None, Some(key)) => {
+            if !table.damaged {
+                check.report(
+                    Diagnostic::at(
+                        Fault::Conflict,
+                        key.span(),
+                        "[helicoid] has a `path` but no `frames`",
+                        "the path of which deformation?",
+                    )
+                    .help("add frames = 11 for the deformation from (a, b) = (1, 0) to (0, 1), or leave out `path`"),
+                );
+            }
+            None
+        }
+        (None, None) => Some(None),
+    }
+}
+
+/// Checks `[trapezium-helicoid]`.
+pub(super) fn trapezium(
+    check: &mut Check<'_>,
+    spec: &Spanned<TrapeziumSpec>,
+    expect: &Key<ExpectSpec>,
+) -> Option<TrapeziumHelicoid> {
+    let table = check.table("[trapezium-helicoid]", spec.span(), &top("trapezium-helicoid"));
+    let spec = spec.get_ref();
+    let help = "the parameter v runs over [0, span], and the AT basis is nonnegative only for spans below 2π";
+    let span = check.required(&table, "span", &spec.span, help).and_then(|key| {
+        let inside = (|x| x > 0.0 && x < AT_SPAN_BOUND, "above 0 and below 2π = 6.2831853");
+        check.number(&table, "span", key, inside, help)
+    });
+    let gamma = pair(check, &table, "gamma", &spec.gamma);
+    let beta = pair(check, &table, "beta", &spec.beta);
+    let expect = expectations(check, expect, Subject::Helicoid);
+    let (span, gamma, beta) = (span?, gamma?, beta?);
+    let at_start = gamma[1] - gamma[0];
+    let at_end = (gamma[1] + beta[1] * span) - (gamma[0] + beta[0] * span);
+    if at_start * at_end < 0.0 || (at_start == 0.0 && at_end == 0.0) {
+        let what = if at_start == 0.0 {
+            "the two sides of [trapezium-helicoid] coincide".to_owned()
+        } else {
+            let v = -at_start / (beta[1] - beta[0]);
+            format!("the two sides of [trapezium-helicoid] cross at v = {}", shown(v))
+        };
+        let (Some(gamma), Some(beta)) = (&spec.gamma, &spec.beta) else { return None };
+        check.conflict(
+            (beta.span(), "slopes β0, β1"),
+            (gamma.span(), "offsets γ0, γ1"),
+            what,
+            "w runs from γ0 + β0 v to γ1 + β1 v: choose sides that keep apart for 0 < v < span",
+        );
+        return None;
+    }
+    Some(TrapeziumHelicoid { span, gamma, beta, expect: expect? })
+}
+
+fn pair(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<NumberList>) -> Option<[f64; 2]> {
+    let help = format!("write {name} = [first side, second side]: w runs from γ0 + β0 v to γ1 + β1 v");
+    let key = check.required(table, name, key, &help)?;
+    let [first, second] = key.get_ref().0.as_slice() else {
+        let length = key.get_ref().0.len();
+        check.inadmissible(
+            key.span(),
+            format!("`{name}` in {} has {length} numbers instead of 2", table.name),
+            format!("{length} numbers"),
+            help,
+        );
+        return None;
+    };
+    let admitted = || (|x: f64| x.abs() <= LARGEST_WEIGHT, "between -1e100 and 1e100");
+    let first = check.number(table, name, first, admitted(), &help);
+    let second = check.number(table, name, second, admitted(), &help);
+    Some([first?, second?])
+}
+
+/// The top-level `[expect]`.
+pub(super) fn expectations(
+    check: &mut Check<'_>,
+    key: &Key<ExpectSpec>,
+    subject: Subject,
+) -> Option<Vec<Expected>> {
+    let Some(key) = key else { return Some(Vec::new()) };
+    let table = check.table("[expect]", key.span(), &top("expect"));
+    expected(check, &table, key.get_ref(), subject)
+}

@@ -1,0 +1,8 @@
+//! What is said of a result in words and tables.
+
+mod table;
+mod warnings;
+
+pub(crate) use table::active_bounds;
+pub use table::table;
+pub(crate) use warnings::warnings;

@@ -1,0 +1,63 @@
+//! What a reader must know before trusting a figure.
+
+use crate::{Figures, Search, Solved};
+
+/// Condition beyond which the last digits printed are no longer certain.
+const ILL_CONDITIONED: f64 = 1e10;
+
+/// The warnings of one method.
+pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if let Some(outcome) = &solved.search {
+        let names = ["α1", "α2", "β1", "β2"];
+        let width = search.upper - search.lower;
+        let at = |wall: f64| -> Vec<&str> {
+            let near = |x: &f64| (x - wall).abs() <= 1e-9 * width;
+            (0..4).filter(|&k| near(&outcome.shape[k])).map(|k| names[k]).collect()
+        };
+        let (low, high) = (at(search.lower), at(search.upper));
+        for (wall, bound) in [(low, search.lower), (high, search.upper)] {
+            if !wall.is_empty() {
+                warnings.push(format!(
+                    "the search box binds: {} at {bound}; a wider box may hold a lower minimum",
+                    wall.join(", ")
+                ));
+            }
+        }
+        let budget = outcome.runs.iter().filter(|run| run.stopped_on_budget()).count();
+        if budget > 0 {
+            warnings.push(format!(
+                "{budget} of {} runs stopped on budget, which is not convergence; their best values spread by {:.1e}",
+                outcome.runs.len(),
+                outcome.spread()
+            ));
+        }
+        if outcome.nan_evaluations > 0 {
+            warnings.push(format!(
+                "{} of {} evaluations of the search failed and were passed over",
+                outcome.nan_evaluations, outcome.evaluations
+            ));
+        }
+    }
+    if let Some(solve) = &solved.solve {
+        if solve.condition > ILL_CONDITIONED {
+            warnings.push(format!(
+                "the linear system is ill-conditioned (about {:.0e}): control points lose digits, the surface fewer",
+                solve.condition
+            ));
+        }
+        if solve.residual > 30.0 {
+            warnings.push(format!(
+                "the linear solve left a residual of {:.0} (30 is LAPACK's threshold of failure)",
+                solve.residual
+            ));
+        }
+    }
+    if !figures.area.settled {
+        warnings.push(format!(
+            "the area has not settled: {} ± {:.1e} after {}² quadrature points; the patch folds or is singular somewhere",
+            figures.area.value, figures.area.error, figures.area.points
+        ));
+    }
+    warnings
+}

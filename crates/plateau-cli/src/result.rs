@@ -1,0 +1,200 @@
+//! `result.json`, the record of an experiment for other programs.
+
+use serde::Serialize;
+use surfaces::Net;
+
+use crate::run::{Finished, MethodResult};
+use crate::{SearchOutcome, SearchRun, Surface};
+
+/// The version of the layout; the number after the slash changes only if a program reading it would break.
+pub const SCHEMA: &str = "plateau-result/1";
+
+/// The whole file. Numbers are written with all their digits; keys without a meaning are left out, and no number
+/// that is not finite ever appears.
+#[derive(Debug, Clone, Serialize)]
+pub struct ResultFile {
+    schema: &'static str,
+    title: String,
+    seed: u64,
+    methods: Vec<MethodEntry>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<String>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+#[serde(untagged)]
+enum MethodEntry {
+    Failed { name: String, error: String },
+    Done(Box<DoneEntry>),
+}
+
+#[derive(Debug, Clone, Default, Serialize)]
+struct DoneEntry {
+    name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dirichlet: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dirichlet_error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    area: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    area_error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    laplacian_defect: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    laplacian_defect_error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bending: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bending_error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    conformality_gap: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mean_curvature: Option<MeanCurvature>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shape: Option<[f64; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    net: Option<Vec<Vec<[f64; 3]>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    solver: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    residual: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    condition: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    search: Option<SearchEntry>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<String>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct MeanCurvature {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    max_abs: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rms: Option<f64>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct SearchEntry {
+    evaluations: u64,
+    nan_evaluations: u64,
+    arithmetic: &'static str,
+    minimum: f64,
+    runs: Vec<RunEntry>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct RunEntry {
+    seed: u64,
+    run: usize,
+    best: f64,
+    shape: Vec<f64>,
+    reason: String,
+    evaluations: u64,
+    history: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polish: Option<PolishEntry>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct PolishEntry {
+    value: f64,
+    kkt_residual: f64,
+    active_bounds: Vec<&'static str>,
+    evaluations: usize,
+    reason: String,
+}
+
+impl ResultFile {
+    /// The record of a finished experiment.
+    pub fn new(finished: &Finished) -> Self {
+        let methods = finished.methods.iter().map(method_entry).collect();
+        Self {
+            schema: SCHEMA,
+            title: finished.title.clone(),
+            seed: finished.seed,
+            methods,
+            warnings: finished.warnings.clone(),
+        }
+    }
+
+    /// The text of the file: indented JSON with a final line break.
+    ///
+    /// # Errors
+    /// Never in fact: every part of the record has a JSON form.
+    pub fn to_json(&self) -> serde_json::Result<String> {
+        let mut text = serde_json::to_string_pretty(self)?;
+        text.push('\n');
+        Ok(text)
+    }
+}
+
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
+
+fn method_entry(result: &MethodResult) -> MethodEntry {
+    let done = match &result.outcome {
+        Ok(done) => done,
+        Err(error) => return MethodEntry::Failed { name: result.name.clone(), error: error.to_string() },
+    };
+    let f = &done.figures;
+    let solve = done.solved.solve.as_ref();
+    MethodEntry::Done(Box::new(DoneEntry {
+        name: result.name.clone(),
+        dirichlet: finite(f.dirichlet.value),
+        dirichlet_error: finite(f.dirichlet.error),
+        area: finite(f.area.value),
+        area_error: finite(f.area.error),
+        laplacian_defect: finite(f.laplacian_defect.value),
+        laplacian_defect_error: finite(f.laplacian_defect.error),
+        bending: finite(f.bending.value),
+        bending_error: finite(f.bending.error),
+        conformality_gap: f.conformality_gap.and_then(finite),
+        mean_curvature: (f.mean_curvature_max.or(f.mean_curvature_rms).is_some())
+            .then_some(MeanCurvature { max_abs: f.mean_curvature_max, rms: f.mean_curvature_rms }),
+        shape: done.solved.shape,
+        net: Some(match &done.solved.surface {
+            Surface::Tensor(patch) => rows(patch.net()),
+        }),
+        solver: solve.map(|s| s.solver),
+        residual: solve.and_then(|s| finite(s.residual)),
+        condition: solve.and_then(|s| finite(s.condition)),
+        search: done.solved.search.as_ref().map(search_entry),
+        warnings: done.warnings.clone(),
+    }))
+}
+
+fn rows(net: &Net) -> Vec<Vec<[f64; 3]>> {
+    net.points().chunks_exact(net.cols()).map(|row| row.iter().copied().map(<[f64; 3]>::from).collect()).collect()
+}
+
+fn search_entry(outcome: &SearchOutcome) -> SearchEntry {
+    SearchEntry {
+        evaluations: outcome.evaluations,
+        nan_evaluations: outcome.nan_evaluations,
+        arithmetic: outcome.arithmetic,
+        minimum: outcome.minimum,
+        runs: outcome.runs.iter().map(run_entry).collect(),
+    }
+}
+
+fn run_entry(run: &SearchRun) -> RunEntry {
+    RunEntry {
+        seed: run.seed,
+        run: run.index,
+        best: run.value,
+        shape: run.shape.to_vec(),
+        reason: run.reason.clone(),
+        evaluations: run.evaluations,
+        history: run.history.iter().copied().filter(|v| v.is_finite()).collect(),
+        polish: run.polish.as_ref().map(|p| PolishEntry {
+            value: p.value,
+            kkt_residual: p.residual,
+            active_bounds: crate::report::active_bounds(p),
+            evaluations: p.evaluations,
+            reason: p.reason.to_string(),
+        }),
+    }
+}

@@ -1,0 +1,149 @@
+//! Running a plan: all methods of an experiment, their figures, what the file expected of them.
+
+use crate::method::{self, Context};
+use crate::{
+    Arithmetic, Expected, Experiment, Figures, Method, MethodError, Plan, Progress, Published, Quantity, Solved,
+};
+
+/// Choices that are not part of the experiment.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Replaces the seed of the file.
+    pub seed: Option<u64>,
+    /// Which arithmetic evaluates the energy in searches.
+    pub arithmetic: Arithmetic,
+}
+
+/// An experiment that was run.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Finished {
+    /// The title of the file.
+    pub title: String,
+    /// The seed used.
+    pub seed: u64,
+    /// One entry per method, in the order of the file.
+    pub methods: Vec<MethodResult>,
+    /// What a reader must know about the whole experiment.
+    pub warnings: Vec<String>,
+}
+
+/// What became of one method.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct MethodResult {
+    /// The name of the row.
+    pub name: String,
+    /// The patch and its figures, or why there is none.
+    pub outcome: Result<Box<Done>, MethodError>,
+    /// The numbers the file expects of this method.
+    pub expect: Vec<Expected>,
+    /// The numbers printed elsewhere for this method.
+    pub published: Vec<Published>,
+}
+
+/// A method that found its patch.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Done {
+    /// The patch and the way to it.
+    pub solved: Solved,
+    /// The mesh the files and the largest curvature are taken from.
+    pub mesh: surfaces::Mesh,
+    /// Its figures.
+    pub figures: Figures,
+    /// What a reader must know about this method.
+    pub warnings: Vec<String>,
+}
+
+/// An expected number that was not met.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Missed {
+    /// The method.
+    pub method: String,
+    /// The number of the file.
+    pub expected: Expected,
+    /// Ours; none if the method has no such figure.
+    pub ours: Option<f64>,
+}
+
+/// Runs every method of a plan. A method that fails takes none of the others with it.
+///
+/// # Errors
+/// [`MethodError::Unavailable`] for kinds of experiment that this version does not run.
+pub fn run(plan: &Plan, options: Options, progress: &dyn Progress) -> Result<Finished, MethodError> {
+    let Experiment::Patch(experiment) = &plan.experiment else {
+        return Err(MethodError::Unavailable { what: "this kind of experiment" });
+    };
+    let seed = options.seed.unwrap_or(plan.seed);
+    let context = Context { experiment, seed, arithmetic: options.arithmetic, progress };
+    let methods = experiment
+        .methods
+        .iter()
+        .map(|method| MethodResult {
+            name: method.name.clone(),
+            outcome: run_method(method, &context, plan.output.mesh).map(Box::new),
+            expect: method.expect.clone(),
+            published: method.published.clone(),
+        })
+        .collect();
+    Ok(Finished { title: plan.title.clone(), seed, methods, warnings: Vec::new() })
+}
+
+fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Done, MethodError> {
+    let solved = method::solve(method, context)?;
+    let mesh = solved.surface.mesh(mesh);
+    let figures = Figures::of(solved.surface.patch(), &mesh)?;
+    let warnings = crate::report::warnings(&solved, &figures, &context.experiment.search);
+    Ok(Done { solved, mesh, figures, warnings })
+}
+
+impl Finished {
+    /// The expected numbers that were not met; a method that failed meets none.
+    pub fn missed(&self) -> Vec<Missed> {
+        let mut missed = Vec::new();
+        for method in &self.methods {
+            for expected in &method.expect {
+                let ours = method.figure(expected.quantity);
+                if !ours.is_some_and(|ours| expected.is_met_by(ours)) {
+                    missed.push(Missed { method: method.name.clone(), expected: expected.clone(), ours });
+                }
+            }
+        }
+        missed
+    }
+
+    /// How many numbers the file expects.
+    pub fn expected(&self) -> usize {
+        self.methods.iter().map(|method| method.expect.len()).sum()
+    }
+
+    /// The methods that failed, with their errors.
+    pub fn failures(&self) -> impl Iterator<Item = (&str, &MethodError)> {
+        self.methods.iter().filter_map(|m| m.outcome.as_ref().err().map(|error| (m.name.as_str(), error)))
+    }
+}
+
+impl MethodResult {
+    /// One figure of the result; none if the method failed or has no such figure.
+    pub fn figure(&self, quantity: Quantity) -> Option<f64> {
+        let done = self.outcome.as_ref().ok()?;
+        let (figures, solved) = (&done.figures, &done.solved);
+        match quantity {
+            Quantity::Dirichlet => Some(figures.dirichlet.value),
+            Quantity::Area => Some(figures.area.value),
+            Quantity::LaplacianDefect => Some(figures.laplacian_defect.value),
+            Quantity::Bending => Some(figures.bending.value),
+            Quantity::ConformalityGap => figures.conformality_gap,
+            Quantity::MeanCurvatureMax => figures.mean_curvature_max,
+            Quantity::MeanCurvatureRms => figures.mean_curvature_rms,
+            Quantity::Residual => solved.solve.map(|s| s.residual),
+            Quantity::Shape(k) => solved.shape.and_then(|shape| shape.get(k).copied()),
+            Quantity::SearchMinimum => solved.search.as_ref().map(|s| s.minimum),
+            Quantity::BoundaryDeviation
+            | Quantity::HarmonicBound
+            | Quantity::Deviation
+            | Quantity::Curvature(_) => None,
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Text to [`Spec`], with as many faults as one reading can tell apart.
+//!
+//! serde stops at the first unknown key or wrong type. So the offending entry is taken out of the
+//! parsed document and the rest is read again, until nothing offends or enough faults are known; the
+//! document remembers where entries were taken out, lest they be reported missing afterwards.
+
+use std::ops::Range;
+
+use serde::Deserialize;
+use serde_spanned::Spanned;
+use toml::de::{DeTable, DeValue, Deserializer, Error};
+
+use super::Spec;
+use crate::diagnostic::{Diagnostic, Fault, nearest};
+
+/// Syntax errors shown: each may cause others behind it.
+const MOST_SYNTAX_ERRORS: usize = 3;
+
+/// Entries taken out before the reading gives up.
+const MOST_REMOVED: usize = 12;
+
+/// One step from a table to an entry inside it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Step {
+    /// A key of a table.
+    Key(String),
+    /// An element of a list of tables.
+    Index(usize),
+}
+
+/// What could be read.
+#[derive(Debug, Default)]
+pub(crate) struct Reading {
+    /// The sound entries; `None` if the text is not TOML.
+    pub(crate) spec: Option<Spec>,
+    /// The faults found.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// The paths of the entries that were taken out.
+    pub(crate) removed: Vec<Vec<Step>>,
+}
+
+/// Reads a text; never panics, whatever the text.
+pub(crate) fn read(text: &str) -> Reading {
+    let mut reading = Reading::default();
+    let (mut document, errors) = DeTable::parse_recoverable(text);
+    if !errors.is_empty() {
+        reading.diagnostics =
+            errors.iter().take(MOST_SYNTAX_ERRORS).map(|error| syntax(text, error)).collect();
+        return reading;
+    }
+    loop {
+        let error = match Spec::deserialize(Deserializer::from(document.clone())) {
+            Ok(spec) => {
+                reading.spec = Some(spec);
+                return reading;
+            }
+            Err(error) => error,
+        };
+        let span = error.span().unwrap_or(0..0);
+        let Some(path) = locate(document.get_ref(), &span) else {
+            reading.diagnostics.push(structure(&error, span, None));
+            return reading;
+        };
+        reading.diagnostics.push(structure(&error, span, Some(&path)));
+        remove(document.get_mut(), &path);
+        reading.removed.push(path);
+        if reading.removed.len() == MOST_REMOVED {
+            return reading;
+        }
+    }
+}
+
+/// The path of the innermost entry whose key or value holds `span`.
+fn locate(table: &DeTable<'_>, span: &Range<usize>) -> Option<Vec<Step>> {
+    for (key, value) in table {
+        let step = || Step::Key(key.get_ref().clone().into_owned());
+        if let Some(inner) = locate_inside(value, span) {
+            return Some([vec![step()], inner].concat());
+        }
+        if holds(&key.span(), span) || holds(&value.span(), span) {
+            return Some(vec![step()]);
+        }
+    }
+    None
+}
+
+fn locate_inside(value: &Spanned<DeValue<'_>>, span: &Range<usize>) -> Option<Vec<Step>> {
+    match value.get_ref() {
+        DeValue::Table(table) => locate(table, span),
+        DeValue::Array(list) => list.iter().enumerate().find_map(|(k, element)| {
+            let table = element.get_ref().as_table()?;
+            locate(table, span).map(|inner| [vec![Step::Index(k)], inner].concat())
+        }),
+        _ => None,
+    }
+}
+
+fn holds(outer: &Range<usize>, inner: &Range<usize>) -> bool {
+    outer.start <= inner.start && inner.end <= outer.end && inner.start < inner.end
+}
+
+fn remove(table: &mut DeTable<'_>, path: &[Step]) {
+    match path {
+        [Step::Key(key)] => {
+            table.remove(key.as_str());
+        }
+        [Step::Key(key), Step::Index(k), rest @ ..] => {
+            if let Some(DeValue::Array(list)) = table.get_mut(key.as_str()).map(Spanned::get_mut)
+                && let Some(DeValue::Table(inner)) = list.get_mut(*k).map(Spanned::get_mut)
+            {
+                remove(inner, rest);
+            }
+        }
+        [Step::Key(key), rest @ ..] => {
+            if let Some(DeValue::Table(inner)) = table.get_mut(key.as_str()).map(Spanned::get_mut) {
+                remove(inner, rest);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// `method`, `search`, …: the name of the innermost table of a path, as its header writes it.
+fn table_name(path: &[Step]) -> String {
+    let keys: Vec<&str> = path[..path.len() - 1]
+        .iter()
+        .filter_map(|step| match step {
+            Step::Key(key) => Some(key.as_str()),
+            Step::Index(_) => None,
+        })
+        .collect();
+    match (keys.join(".").as_str(), path.get(path.len().wrapping_sub(2))) {
+        ("", _) => String::new(),
+        (name, Some(Step::Index(_))) => format!("[[{name}]]"),
+        (name, _) => format!("[{name}]"),
+    }
+}
+
+/// A syntax error in our words.
+fn syntax(text: &str, error: &Error) -> Diagnostic {
+    let span = error.span().unwrap_or(text.len()..text.len());
+    let message = error.message();
+    let (what, expected) = message.split_once(", expected ").unwrap_or((message, ""));
+    let label = if expected.is_empty() { what.to_owned() } else { format!("expected {expected}") };
+    if what == "duplicate key" {
+        let key = text.get(span.clone()).unwrap_or_default();
+        return Diagnostic::at(
+            Fault::Syntax,
+            span.clone(),
+            format!("`{}` stands here for the second time", shorten(key)),
+            "already given above",
+        )
+        .help("keep one of the two; several methods are written as several [[method]] tables, with two brackets");
+    }
+    Diagnostic::at(Fault::Syntax, span, format!("this is not TOML: {what}"), label)
+        .help("TOML writes key = value, texts in \"quotes\", lists in [brackets] with commas, and tables under a [header]")
+}
+
+/// A fault of structure (an unknown key, a wrong type) in our words.
+fn structure(error: &Error, span: Range<usize>, path: Option<&[Step]>) -> Diagnostic {
+    let message = error.message();
+    let key = match path.and_then(<[Step]>::last) {
+        Some(Step::Key(key)) => shorten(key),
+        _ => String::new(),
+    };
+    let place = path.map(table_name).filter(|name| !name.is_empty());
+    let inside = place.as_ref().map_or(String::new(), |name| format!(" in {name}"));
+    if message.starts_with("unknown field") {
+        return unknown_key(message, span, &key, place.as_deref());
+    }
+    if let Some((found, expected)) =
+        message.strip_prefix("invalid type: ").and_then(|m| m.rsplit_once(", expected "))
+    {
+        let found = found_in_toml(found);
+        let expected = if expected == "a sequence" { "a list" } else { expected };
+        let diagnostic = Diagnostic::at(
+            Fault::WrongType,
+            span,
+            format!("`{key}`{inside} has a value of the wrong type"),
+            format!("expected {expected}; this is {found}"),
+        );
+        return diagnostic.help(type_help(&key, place.is_some(), found, expected));
+    }
+    if message.contains("overflowed") {
+        return Diagnostic::at(
+            Fault::Inadmissible,
+            span,
+            format!("`{key}`{inside} holds a number too large to be represented"),
+            "too large",
+        )
+        .help("floating-point numbers end at 1.8e308, and coordinates are admitted up to 1e150: choose a smaller unit of length");
+    }
+    Diagnostic::at(Fault::WrongType, span, format!("`{key}`{inside} cannot be read"), shorten(message))
+        .help("compare it with a template: `plateau new tensor` prints one")
+}
+
+fn unknown_key(message: &str, span: Range<usize>, key: &str, place: Option<&str>) -> Diagnostic {
+    // serde lists the keys of the struct behind the last "expected", between backticks.
+    let allowed: Vec<&str> = message
+        .rsplit_once(", expected ")
+        .map(|(_, keys)| keys.split('`').skip(1).step_by(2).collect())
+        .unwrap_or_default();
+    let (what, label, keys) = match place {
+        Some(table) => (
+            format!("{table} has no key `{key}`"),
+            "unknown key",
+            format!("the keys of {table} are: {}", allowed.join(", ")),
+        ),
+        None => (
+            format!("an experiment has no table or key `{key}`"),
+            "unknown table or key",
+            format!("an experiment may hold: {}", allowed.join(", ")),
+        ),
+    };
+    let diagnostic = Diagnostic::at(Fault::UnknownKey, span, what, label);
+    let diagnostic = match nearest(key, allowed.iter().copied()) {
+        Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
+        None => diagnostic,
+    };
+    diagnostic.help(keys)
+}
+
+/// serde's "string", "sequence", "map" in TOML's words.
+fn found_in_toml(found: &str) -> &'static str {
+    match found.split([' ', '`']).next() {
+        Some("boolean") => "true or false",
+        Some("integer") => "a whole number",
+        Some("floating") => "a number with a decimal point",
+        Some("sequence") => "a list",
+        Some("map") => "a table or a date",
+        _ if found == "an integer" => "a whole number",
+        _ => "a text in quotes",
+    }
+}
+
+fn type_help(key: &str, inside: bool, found: &str, expected: &str) -> String {
+    if key == "method" && !inside {
+        return "write [[method]] with two brackets: each such table is one row of the result".to_owned();
+    }
+    if found == "a list" && expected.starts_with("a table") {
+        return format!("write [{key}] with single brackets: an experiment has only one");
+    }
+    if expected.contains("points") || expected.contains("a point") {
+        return format!(
+            "write `{key}` as a list of points, each a list of numbers: {key} = [[0, 0, 0], [2, 0, 2], [4, 0, -2]]"
+        );
+    }
+    if found == "a text in quotes" && expected == "a number" {
+        return format!("write the number without quotes: {key} = 1.5");
+    }
+    if found == "a number with a decimal point" && expected == "a whole number" {
+        return format!("write it without a point: {key} = 10");
+    }
+    format!("write {expected} after `{key} =`")
+}
+
+/// At most 60 characters of a text that comes from the file.
+pub(crate) fn shorten(text: &str) -> String {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
