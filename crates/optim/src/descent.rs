@@ -13,8 +13,13 @@ use crate::report::{Bound, PolishReason, Polished};
 const SUFFICIENT: f64 = 1e-4;
 /// A step after which the slope is still steeper than this fraction of the first one was too short.
 const STEEP: f64 = 0.9;
-/// Values closer than this, relatively, may differ by rounding alone.
+/// Decreases below this, relative to the value, cannot be told from rounding.
 const NOISE: f64 = 16.0 * f64::EPSILON;
+/// Within this, relative to the value, a step is judged by the gradient alone, which still points
+/// the way where cancellation within the objective blurs the value.
+const BLUR: f64 = 1e-12;
+/// Blurred steps in a row that need not halve the residual.
+const PATIENCE: usize = 4;
 /// Trials of one line search.
 const TRIALS: usize = 20;
 /// A step longer than this, relative to the box, ends where old curvature may not hold any more.
@@ -31,6 +36,12 @@ struct Iterate {
 impl Iterate {
     fn new(dimension: usize) -> Self {
         Self { point: vec![0.0; dimension], gradient: vec![0.0; dimension], value: f64::NAN }
+    }
+
+    fn copy_from(&mut self, other: &Self) {
+        self.point.copy_from_slice(&other.point);
+        self.gradient.copy_from_slice(&other.gradient);
+        self.value = other.value;
     }
 
     fn is_finite(&self) -> bool {
@@ -66,8 +77,15 @@ pub(crate) struct Descent<'a, S: ?Sized> {
     trial: Iterate,
     /// The longest step of the line search known to be too short, with sufficient decrease.
     short: Iterate,
-    /// The least value of an iterate; in rounding, later ones may lie above it.
+    /// What no later iterate may exceed: the start's value, up to rounding.
+    ceiling: f64,
+    /// The least value of an iterate; later ones may exceed it by [`BLUR`].
     lowest: f64,
+    /// The iterate of least residual since the value last fell noticeably, and that residual.
+    calmest: Iterate,
+    calm: f64,
+    /// Steps since that residual was halved.
+    idle: usize,
     target: Vec<f64>,
     step: Vec<f64>,
     change: Vec<f64>,
@@ -88,7 +106,11 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
             at: Iterate::new(n),
             trial: Iterate::new(n),
             short: Iterate::new(n),
+            ceiling: f64::INFINITY,
             lowest: f64::INFINITY,
+            calmest: Iterate::new(n),
+            calm: f64::INFINITY,
+            idle: 0,
             target: vec![0.0; n],
             step: vec![0.0; n],
             change: vec![0.0; n],
@@ -98,6 +120,7 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
         descent.trial.point.copy_from_slice(start);
         descent.evaluate_trial();
         swap(&mut descent.at, &mut descent.trial);
+        descent.ceiling = descent.at.value + descent.at.noise();
         descent
     }
 
@@ -124,8 +147,8 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
         let mut fresh = true;
         self.hessian.reset(curvature, &self.widths);
         loop {
-            self.lowest = self.lowest.min(self.at.value);
             let residual = self.residual(&self.at);
+            self.remember(residual);
             if residual <= self.polish.tolerance * self.at.value.abs() {
                 return PolishReason::Stationary;
             }
@@ -157,6 +180,17 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
                     swap(&mut self.at, &mut self.trial);
                 }
             }
+        }
+    }
+
+    /// Keeps the calmest iterate and the least value.
+    fn remember(&mut self, residual: f64) {
+        let fell = self.lowest - self.at.value > self.at.noise();
+        self.lowest = self.lowest.min(self.at.value);
+        self.idle = if fell || residual <= 0.5 * self.calm { 0 } else { self.idle + 1 };
+        if fell || residual < self.calm {
+            self.calm = residual;
+            self.calmest.copy_from(&self.at);
         }
     }
 
@@ -210,11 +244,14 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
             }
             let decrease = self.at.value - self.trial.value;
             let predicted = -self.slope_to_trial();
-            let flat = decrease.abs() <= self.at.noise() && self.trial.value - self.lowest <= self.at.noise();
-            if flat && self.residual(&self.trial) <= 0.5 * residual {
-                return Search::Found;
-            }
             let steepness = self.slope_at_trial(a);
+            if self.is_blurred() {
+                let halved = self.residual(&self.trial) <= 0.5 * residual;
+                let gentler = steepness.abs() <= STEEP * slope.abs();
+                if halved || (gentler && self.idle < PATIENCE) {
+                    return Search::Found;
+                }
+            }
             if decrease > 0.0 && decrease >= SUFFICIENT * predicted {
                 if steepness >= STEEP * slope {
                     return Search::Found;
@@ -256,6 +293,14 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
             };
         }
         self.trial.point != self.at.point && (a <= 1.0 || self.trial.point != self.short.point)
+    }
+
+    /// Whether the trial's value differs from the iterate's by no more than may be the objective's
+    /// own error.
+    fn is_blurred(&self) -> bool {
+        let (before, after) = (self.at.value, self.trial.value);
+        let blur = BLUR * before.abs();
+        (before - after).abs() <= blur && after - self.lowest <= blur && after <= self.ceiling
     }
 
     fn evaluate_trial(&mut self) {

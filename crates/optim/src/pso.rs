@@ -128,7 +128,7 @@ impl Pso {
             inertia: 0.7,
             social: 1.5,
             cognitive: 1.5,
-            initial_velocity: 0.5,
+            initial_velocity: 0.1,
             topology: Topology::Global,
             seed,
             batch: None,
