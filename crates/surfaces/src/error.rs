@@ -47,6 +47,34 @@ pub enum SurfaceError {
     /// A tensor patch is a sum of products of families and was given none.
     #[error("a tensor patch needs at least one product of families")]
     NoProduct,
+    /// A border polygon of a triangular net has another number of points than the first.
+    #[error(
+        "border row {name} has {found} points and ab has {expected}; all three sides need the same number"
+    )]
+    TriangleRow {
+        /// Name of the row as in the experiment file.
+        name: &'static str,
+        /// Points of the row ab.
+        expected: usize,
+        /// Points found.
+        found: usize,
+    },
+    /// A list of points is not a triangular net of its degree.
+    #[error("a triangular net of degree {degree} has {expected} points, got {found}")]
+    TriangleSize {
+        /// The degree n.
+        degree: usize,
+        /// (n + 1)(n + 2)/2.
+        expected: usize,
+        /// Points found.
+        found: usize,
+    },
+    /// The corner weight of a mask leaves no finite weight for the edges.
+    #[error("mask weight α = {alpha} leaves no finite edge weight; give a finite number")]
+    Mask {
+        /// The weight given.
+        alpha: f64,
+    },
     /// A coordinate is not a finite number.
     #[error("control point {index} is not finite")]
     NotFinite {

@@ -1,9 +1,10 @@
 //! Control nets and the patches they span.
 //!
 //! A [`Net`] holds control points, each fixed or free. With families of functions (crate `bases`) it spans a
-//! [`TensorPatch`]: Bernstein–Bézier, GT–Bézier, or a blend such as [`tb_coons()`]. Every [`Patch`] gives its [`Jet`]:
-//! position, derivatives to second order, fundamental forms, normal, mean and Gauss curvature; and a
-//! triangle [`Mesh`] with these at its vertices.
+//! [`TensorPatch`]: Bernstein–Bézier, GT–Bézier, or a blend such as [`tb_coons()`]. A [`TriangleNet`] spans a
+//! [`TrianglePatch`]. Every [`Patch`] gives its [`Jet`]: position, derivatives to second order, fundamental forms,
+//! normal, mean and Gauss curvature; and a triangle [`Mesh`] with these at its vertices. Interiors of nets come from
+//! their boundary by [`discrete_coons()`] and by masks ([`TriangleMask`], [`rectangular_mask()`]), or from an energy.
 //!
 //! ```
 //! use surfaces::{Mesh, Net, Patch, Point, TensorPatch};
@@ -19,20 +20,30 @@
 //! # Ok::<(), surfaces::SurfaceError>(())
 //! ```
 
+mod discrete_coons;
 mod error;
 mod jet;
+mod mask;
 mod mesh;
 mod net;
 mod patch;
 mod point;
 mod tb_coons;
 mod tensor;
+mod triangle;
+mod triangle_basis;
+mod triangle_net;
 
+pub use discrete_coons::{discrete_coons, discrete_coons_triangle};
 pub use error::SurfaceError;
 pub use jet::{FirstForm, Jet, SecondForm};
+pub use mask::{COONS_CORNER_WEIGHT, MaskSystem, TriangleMask, rectangular_mask};
 pub use mesh::Mesh;
 pub use net::Net;
 pub use patch::{Domain, Patch};
 pub use point::Point;
 pub use tb_coons::{bernstein_less_blend, end_blend, tb_coons};
 pub use tensor::{Product, TensorPatch};
+pub use triangle::TrianglePatch;
+pub use triangle_basis::TriangleBasis;
+pub use triangle_net::TriangleNet;
