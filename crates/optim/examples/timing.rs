@@ -1,10 +1,10 @@
-//! What the search costs beside its objective: nanoseconds per particle and iteration.
+//! What search and polish cost beside their objectives.
 #![allow(clippy::print_stdout)] // an example talks to the terminal
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use optim::{Bounds, FnObjective, Objective, Pso, Topology};
+use optim::{Bounds, FnObjective, FnSmooth, Objective, Polish, Pso, Topology};
 
 /// The least wall time of `repeats` calls, in seconds.
 fn least(repeats: usize, mut call: impl FnMut()) -> f64 {
@@ -47,5 +47,33 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         black_box(pso.search(black_box(&dear), &bounds, 10, &()).is_ok());
     });
     println!("10 runs of 50 × 100: {:.2} ms", seconds * 1e3);
+
+    // A chain of quartic springs.
+    let smooth = FnSmooth::new(4, |x: &[f64], gradient: &mut [f64]| {
+        let mut value = 10.0;
+        for i in 0..4 {
+            let s = x[i] - if i == 0 { 1.0 } else { 0.5 * x[i - 1] };
+            value += s * s + 0.25 * s * s * s * s;
+            let force = 2.0 * s + s * s * s;
+            gradient[i] = force;
+            if i > 0 {
+                gradient[i - 1] -= 0.5 * force;
+            }
+        }
+        value
+    });
+    let polish = Polish::default();
+    let reports = polish.run_starts(&smooth, &bounds, 10, 7)?;
+    let evaluations: usize = reports.iter().map(|report| report.evaluations).sum();
+    let seconds = least(500, || {
+        black_box(polish.run_starts(black_box(&smooth), &bounds, 10, 7).is_ok());
+    });
+    println!("10 polishes from random starts: {evaluations} evaluations, {:.1} µs", seconds * 1e6);
+    let seconds = least(500, || {
+        black_box(polish.run(black_box(&smooth), &bounds, &[3.0, 1.0, 2.0, 0.5]).is_ok());
+    });
+    let report = polish.run(&smooth, &bounds, &[3.0, 1.0, 2.0, 0.5])?;
+    let each = seconds * 1e9 / report.evaluations as f64;
+    println!("one polish: {each:.0} ns of overhead per evaluation");
     Ok(())
 }

@@ -127,6 +127,9 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
     /// Descends to the end and reports.
     pub(crate) fn finish(mut self) -> Polished {
         let reason = if self.at.is_finite() { self.descend() } else { PolishReason::NotFinite };
+        if self.calm < self.residual(&self.at) {
+            swap(&mut self.at, &mut self.calmest);
+        }
         let residual = self.residual(&self.at);
         let active = (0..self.widths.len()).map(|i| self.active(i)).collect();
         Polished {
@@ -248,8 +251,14 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
             if self.is_blurred() {
                 let halved = self.residual(&self.trial) <= 0.5 * residual;
                 let gentler = steepness.abs() <= STEEP * slope.abs();
-                if halved || (gentler && self.idle < PATIENCE) {
+                let patient = self.idle < PATIENCE;
+                if halved || (gentler && patient) {
                     return Search::Found;
+                }
+                if steepness > 0.0 && patient {
+                    self.idle += 1;
+                    a *= slope / (slope - steepness);
+                    continue;
                 }
             }
             if decrease > 0.0 && decrease >= SUFFICIENT * predicted {
