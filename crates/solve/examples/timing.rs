@@ -4,8 +4,11 @@
 #[path = "../tests/families/mod.rs"]
 mod families;
 
-use families::{Random, example_5_1, gt_dirichlet, smooth_net};
-use solve::{Parametric, Path};
+use families::{
+    Random, add_kronecker, bernstein_samples, example_5_1, gram, gt_dirichlet, gt_samples, interior,
+    smooth_net,
+};
+use solve::{Parametric, Partition, Path, Separable, SeparableParametric};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -49,6 +52,46 @@ fn main() -> Result<(), solve::SolveError> {
             });
             println!("{degree:>6} {path:>9} {batch:>12.1} {single:>12.1} {with_gradient:>12.1}");
         }
+    }
+
+    println!("\n{:>6} {:>16} {:>16} {:>14}", "degree", "us/J separable", "us gradient", "us solve");
+    for degree in [3, 5, 8, 10, 12, 20, 30] {
+        let free = interior(degree);
+        let net = smooth_net(&mut Random(2), [degree, degree]);
+        let system = SeparableParametric::new(gt_samples(degree), gt_samples(degree), &free, &free, &net)?;
+        let start = [1.1, 0.9, 1.3, 2.0];
+        let value = nanoseconds(10, || {
+            black_box(system.value(black_box(&start)));
+        });
+        let mut gradient = [0.0; 4];
+        let with_gradient = nanoseconds(10, || {
+            black_box(system.value_and_gradient(black_box(&start), &mut gradient));
+        });
+        let solve = nanoseconds(10, || {
+            let _ = black_box(system.solve(black_box(&start)));
+        });
+        println!("{degree:>6} {:>16.1} {:>16.1} {:>14.1}", value / 1e3, with_gradient / 1e3, solve / 1e3);
+    }
+
+    println!("\n{:>6} {:>14} {:>14} {:>8}", "degree", "us dense", "us separable", "ratio");
+    for degree in [3, 5, 8, 10, 12, 20, 30] {
+        let samples = bernstein_samples(degree);
+        let (free, n) = (interior(degree), degree + 1);
+        let net = smooth_net(&mut Random(2), [degree, degree]);
+        let partition = Partition::of_net(n, n, &free, &free)?;
+        let repeats = 1 + 20_000 / degree.pow(4);
+        let dense = nanoseconds(repeats, || {
+            let (k, m) =
+                (gram(&samples.weights, n, &samples.derivatives), gram(&samples.weights, n, &samples.values));
+            let mut matrix = vec![0.0; n.pow(4)];
+            add_kronecker(&mut matrix, 0.5, &k, n, &m, n);
+            add_kronecker(&mut matrix, 0.5, &m, n, &k, n);
+            let _ = black_box(solve::solve_partitioned(n * n, &matrix, &partition, 3, &net));
+        });
+        let separable = nanoseconds(10, || {
+            let _ = black_box(Separable::new(&samples, &samples, &free, &free).and_then(|s| s.solve(&net)));
+        });
+        println!("{degree:>6} {:>14.1} {:>14.1} {:>8.1}", dense / 1e3, separable / 1e3, dense / separable);
     }
     Ok(())
 }

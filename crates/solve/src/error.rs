@@ -105,6 +105,14 @@ pub enum SolveError {
         /// The bound it has to stay below.
         bound: usize,
     },
+    /// A weight of a quadrature rule is not positive.
+    #[error(
+        "weight {index} of the quadrature rule is not positive; take a rule with positive weights (Gauss)"
+    )]
+    NotPositiveWeight {
+        /// Its index.
+        index: usize,
+    },
     /// The memory for the system could not be had.
     #[error("out of memory: {bytes} bytes could not be allocated; solve a smaller system or free memory")]
     OutOfMemory {

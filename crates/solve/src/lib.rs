@@ -15,6 +15,7 @@ mod memory;
 mod parametric;
 mod partition;
 mod scale;
+mod separable;
 
 pub use dense::{
     Cholesky, Lu, RankSolution, Solution, SymmetricEigen, eigen_symmetric, smallest_eigenvalue,
@@ -23,3 +24,4 @@ pub use dense::{
 pub use error::{Place, SolveError};
 pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};
 pub use partition::Partition;
+pub use separable::{AffineSamples, Samples, Separable, SeparableParametric, SeparableSolution};

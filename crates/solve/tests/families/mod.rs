@@ -274,3 +274,71 @@ pub(crate) fn smooth_net(random: &mut Random, degrees: [usize; 2]) -> Vec<f64> {
     }
     net
 }
+
+/// The Bernstein basis of a degree at `degree + 1` Gauss points, exact for products of its functions.
+pub(crate) fn bernstein_samples(degree: usize) -> solve::Samples {
+    let (nodes, weights) = gauss(degree + 1);
+    let (mut values, mut derivatives) = (Vec::new(), Vec::new());
+    for t in nodes {
+        let (value, derivative) = bernstein(degree, t);
+        values.extend(value);
+        derivatives.extend(derivative);
+    }
+    solve::Samples { points: degree + 1, functions: degree + 1, weights, values, derivatives }
+}
+
+/// The samples of a GT basis, as the separable solver takes them.
+pub(crate) fn gt_samples(degree: usize) -> solve::AffineSamples {
+    let GtSamples { points, functions, weights, values, derivatives } = GtSamples::new(degree);
+    solve::AffineSamples { points, functions, weights, values, derivatives }
+}
+
+/// Bernstein control points of degree `degree` of the Taylor polynomial `Σ a_k t^k`.
+///
+/// `c_i = Σ_k C(i,k)/C(n,k) a_k`: the weights lie between 0 and 1, so for a_k like 1/k! no digit is lost.
+pub(crate) fn bernstein_points(degree: usize, coefficient: impl Fn(usize) -> f64) -> Vec<f64> {
+    (0..=degree)
+        .map(|i| {
+            let mut weight = 1.0;
+            let mut sum = 0.0;
+            for k in 0..=i {
+                sum += weight * coefficient(k);
+                weight *= (i - k) as f64 / (degree - k).max(1) as f64;
+            }
+            sum
+        })
+        .collect()
+}
+
+/// The net (x, y, eˣ cos y) of degree n × n over the unit square, u along x: its boundary is exact to rounding, its
+/// interior is not given.
+pub(crate) fn exponential_net(degree: usize) -> Vec<f64> {
+    let factorial = |k: usize| (1..=k).map(|j| j as f64).product::<f64>();
+    let exponential = bernstein_points(degree, |k| 1.0 / factorial(k));
+    let cosine = bernstein_points(degree, |k| match k % 4 {
+        0 => 1.0 / factorial(k),
+        2 => -1.0 / factorial(k),
+        _ => 0.0,
+    });
+    let mut net = Vec::new();
+    for i in 0..=degree {
+        for j in 0..=degree {
+            let inner = (1..degree).contains(&i) && (1..degree).contains(&j);
+            let point = [i as f64 / degree as f64, j as f64 / degree as f64, exponential[i] * cosine[j]];
+            net.extend(if inner { [f64::NAN; 3] } else { point });
+        }
+    }
+    net
+}
+
+/// The point of a Bernstein patch of degree n × n.
+pub(crate) fn bernstein_patch(degree: usize, net: &[f64], s: f64, t: f64) -> [f64; 3] {
+    let ((u, _), (v, _)) = (bernstein(degree, s), bernstein(degree, t));
+    let mut point = [0.0; 3];
+    for i in 0..=degree {
+        for j in 0..=degree {
+            (0..3).for_each(|d| point[d] += u[i] * v[j] * net[3 * (i * (degree + 1) + j) + d]);
+        }
+    }
+    point
+}
