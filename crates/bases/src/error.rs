@@ -29,6 +29,33 @@ pub enum BasisError {
         "GT shape parameters θ1 and θ2 are both 0: the functions are linearly dependent; make one positive"
     )]
     Dependent,
+    /// The span of an AHT or AT basis is too short, not a number, or at or beyond the sharp bound.
+    #[error(
+        "span α = {span} of the {family} basis is outside {min} ≤ α < {supremum} ({meaning}), where its functions are \
+         positive; split longer intervals into equal pieces"
+    )]
+    Span {
+        /// Name of the family.
+        family: &'static str,
+        /// The span asked for.
+        span: f64,
+        /// Smallest span offered.
+        min: f64,
+        /// The sharp bound, itself not admissible.
+        supremum: f64,
+        /// What the bound is.
+        meaning: &'static str,
+    },
+    /// A family cannot be cut at an end of its domain, outside it or at what is not a number.
+    #[error("cannot subdivide at {cut}: it must lie strictly between {start} and {end}")]
+    Cut {
+        /// The parameter asked for.
+        cut: f64,
+        /// Start of the domain.
+        start: f64,
+        /// End of the domain.
+        end: f64,
+    },
     /// A Gauss rule of that many points is not offered.
     #[error("a Gauss–Legendre rule needs 1..={max} points, got {points}")]
     Points {

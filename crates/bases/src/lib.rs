@@ -2,7 +2,8 @@
 //!
 //! A [`Basis`] is a finite family of functions on an interval that answers three questions: how many, where, and the
 //! values with derivatives at a point. The families: [`Bernstein`] polynomials, the generalized
-//! trigonometric [`Gt`] functions with two shape parameters (and [`GtParts`], their parts affine in the shape), and
+//! trigonometric [`Gt`] functions with two shape parameters (and [`GtParts`], their parts affine in the shape),
+//! the six [`Aht`] and [`At`] functions that hold catenoids and helicoids exactly, and
 //! linear combinations of families ([`Stacked`]). All are partitions of unity that interpolate at
 //! the ends, with errors bounded in units of u = 2⁻⁵³ in their own documentation.
 //!
@@ -24,6 +25,8 @@
 //! # Ok::<(), bases::BasisError>(())
 //! ```
 
+mod aht;
+mod at;
 mod basis;
 mod bernstein;
 mod double_double;
@@ -31,9 +34,13 @@ mod error;
 mod gram;
 mod gt;
 mod matrix;
+mod order_six;
 mod quadrature;
 mod stacked;
+mod subdivision;
 
+pub use aht::Aht;
+pub use at::At;
 pub use basis::Basis;
 pub use bernstein::Bernstein;
 pub use error::BasisError;
@@ -42,3 +49,4 @@ pub use gt::{Gt, GtParts};
 pub use matrix::Matrix;
 pub use quadrature::GaussLegendre;
 pub use stacked::Stacked;
+pub use subdivision::{Subdivide, Subdivision};
