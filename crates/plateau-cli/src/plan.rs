@@ -12,10 +12,12 @@ mod curve;
 mod expected;
 mod file;
 mod helicoid;
+mod interior;
 mod method;
 mod number;
 mod patch;
 mod search;
+mod shape;
 
 pub use expected::{Expected, Published, Quantity};
 pub use patch::{

@@ -10,8 +10,8 @@ mod literal;
 mod read;
 
 pub(crate) use literal::{
-    ExpectValue, Integer, MaskKey, Number, NumberList, PointList, Published, Samples, SearchKey, Text,
-    TextList,
+    ExpectValue, Integer, MaskKey, Number, NumberList, PointList, Published, Samples, SearchKey, Section,
+    Text, TextList,
 };
 pub(crate) use read::{Reading, Step, read, shorten};
 
@@ -20,23 +20,23 @@ pub(crate) type Key<T> = Option<Spanned<T>>;
 
 /// A whole experiment file.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "an experiment")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct Spec {
     pub(crate) title: Key<Text>,
     pub(crate) seed: Key<Integer>,
-    pub(crate) boundary: Key<BoundarySpec>,
-    pub(crate) method: Key<Vec<Spanned<MethodSpec>>>,
-    pub(crate) search: Key<SearchSpec>,
-    pub(crate) helicoid: Key<HelicoidSpec>,
-    pub(crate) trapezium_helicoid: Key<TrapeziumSpec>,
-    pub(crate) curve: Key<CurveSpec>,
-    pub(crate) expect: Key<ExpectSpec>,
-    pub(crate) output: Key<OutputSpec>,
+    pub(crate) boundary: Key<Section<BoundarySpec>>,
+    pub(crate) method: Key<Vec<Spanned<Section<MethodSpec>>>>,
+    pub(crate) search: Key<Section<SearchSpec>>,
+    pub(crate) helicoid: Key<Section<HelicoidSpec>>,
+    pub(crate) trapezium_helicoid: Key<Section<TrapeziumSpec>>,
+    pub(crate) curve: Key<Section<CurveSpec>>,
+    pub(crate) expect: Key<Section<ExpectSpec>>,
+    pub(crate) output: Key<Section<OutputSpec>>,
 }
 
 /// `[boundary]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table of boundary control points")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct BoundarySpec {
     pub(crate) u0: Key<PointList>,
     pub(crate) u1: Key<PointList>,
@@ -51,7 +51,7 @@ pub(crate) struct BoundarySpec {
 
 /// One `[[method]]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table that describes a method")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct MethodSpec {
     pub(crate) name: Key<Text>,
     pub(crate) patch: Key<Text>,
@@ -65,13 +65,13 @@ pub(crate) struct MethodSpec {
     pub(crate) construction: Key<Text>,
     pub(crate) search_energy: Key<Text>,
     pub(crate) solver: Key<Text>,
-    pub(crate) expect: Key<ExpectSpec>,
+    pub(crate) expect: Key<Section<ExpectSpec>>,
     pub(crate) published: Key<Published>,
 }
 
 /// `[search]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table that describes the search")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct SearchSpec {
     pub(crate) variant: Key<Text>,
     pub(crate) particles: Key<Integer>,
@@ -87,7 +87,7 @@ pub(crate) struct SearchSpec {
 
 /// `[helicoid]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table that describes a helicoid")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct HelicoidSpec {
     pub(crate) a: Key<Number>,
     pub(crate) b: Key<Number>,
@@ -99,7 +99,7 @@ pub(crate) struct HelicoidSpec {
 
 /// `[trapezium-helicoid]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table that describes a helicoid")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct TrapeziumSpec {
     pub(crate) span: Key<Number>,
     pub(crate) gamma: Key<NumberList>,
@@ -108,7 +108,7 @@ pub(crate) struct TrapeziumSpec {
 
 /// `[curve]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table that describes a curve")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct CurveSpec {
     pub(crate) basis: Key<Text>,
     pub(crate) shape: Key<NumberList>,
@@ -119,7 +119,7 @@ pub(crate) struct CurveSpec {
 
 /// `[expect]` and `[method.expect]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table of expected numbers")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct ExpectSpec {
     pub(crate) dirichlet: Key<ExpectValue>,
     pub(crate) area: Key<ExpectValue>,
@@ -139,7 +139,7 @@ pub(crate) struct ExpectSpec {
 
 /// `{ value = …, tolerance = … }`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a number with its tolerance")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct TolerancedSpec {
     pub(crate) value: Key<Number>,
     pub(crate) tolerance: Key<Number>,
@@ -147,11 +147,7 @@ pub(crate) struct TolerancedSpec {
 
 /// `[method.published]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(
-    deny_unknown_fields,
-    rename_all = "kebab-case",
-    expecting = "a table that describes a printed number"
-)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct PublishedSpec {
     pub(crate) source: Key<Text>,
     pub(crate) quantity: Key<Text>,
@@ -162,7 +158,7 @@ pub(crate) struct PublishedSpec {
 
 /// `[output]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a table that describes the output")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(crate) struct OutputSpec {
     pub(crate) mesh: Key<Integer>,
     pub(crate) formats: Key<TextList>,

@@ -63,7 +63,7 @@ impl Template {
     ///
     /// ```
     /// for template in plateau::Template::ALL {
-    ///     assert!(plateau::Plan::parse(template.text(), template.name()).is_ok());
+    ///     assert!(plateau::Plan::parse(template.name(), template.text()).is_ok());
     /// }
     /// ```
     #[must_use]

@@ -4,7 +4,8 @@
 const LONGEST: usize = 48;
 
 /// The candidate that `word` most likely misspells, if any comes near: the optimal string alignment
-/// distance may be a third of the longer word, and ties go to the earlier candidate.
+/// distance may be a third of the longer word, or one of the two begins or ends the other; ties go to the
+/// earlier candidate.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.is_empty() || word.len() > LONGEST {
         return None;
@@ -15,9 +16,10 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
         .filter_map(|candidate| {
             let letters: Vec<char> = candidate.chars().collect();
             let distance = alignment_distance(&word, &letters);
-            let begins = word.len() >= 3 && letters.starts_with(&word);
             let near = 3 * distance <= word.len().max(letters.len());
-            (near || begins).then_some((distance, candidate))
+            let part = word.len() >= 3 && (letters.starts_with(&word) || letters.ends_with(&word));
+            let whole = letters.len() >= 3 && word.starts_with(&letters);
+            (near || part || whole).then_some((distance, candidate))
         })
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate)
@@ -67,6 +69,8 @@ mod tests {
         assert_eq!(nearest("Energy", keys), Some("energy"));
         assert_eq!(nearest("search_energy", keys), Some("search-energy"));
         assert_eq!(nearest("engery", keys), Some("energy"));
+        assert_eq!(nearest("coons", ["tensor", "tb-coons"]), Some("tb-coons"));
+        assert_eq!(nearest("Dirichlet energy", ["area", "dirichlet"]), Some("dirichlet"));
         assert_eq!(nearest("colour", keys), None);
         assert_eq!(nearest("", keys), None);
         assert_eq!(nearest(&"e".repeat(10_000), keys), None);

@@ -5,10 +5,10 @@ use std::ops::Range;
 use serde_spanned::Spanned;
 
 use super::check::{Check, Table, top};
-use super::number::{shown, shown_point};
+use super::number::{counted, shown, shown_point};
 use super::{Boundary, MAX_COORDINATE, MAX_DEGREE};
 use crate::diagnostic::{Diagnostic, Fault};
-use crate::spec::{BoundarySpec, Integer, Key, PointList};
+use crate::spec::{BoundarySpec, Integer, Key, PointList, Section};
 
 const SIDES_OF_A_NET: &str = "a tensor boundary has four lists of points: u0 (row i = 0), u1 (row i = m), \
      v0 (column j = 0), v1 (column j = n), with the corners repeated";
@@ -38,7 +38,7 @@ struct Side<'s> {
 }
 
 /// Checks `[boundary]`.
-pub(super) fn boundary(check: &mut Check<'_>, spec: &Spanned<BoundarySpec>) -> Sides {
+pub(super) fn boundary(check: &mut Check<'_>, spec: &Spanned<Section<BoundarySpec>>) -> Sides {
     let table = check.table("[boundary]", spec.span(), &top("boundary"));
     let header = spec.span();
     let spec = spec.get_ref();
@@ -56,12 +56,23 @@ pub(super) fn boundary(check: &mut Check<'_>, spec: &Spanned<BoundarySpec>) -> S
             (Some(Kind::TwoSides), two_columns(check, &table, spec))
         }
         (_, false, false) => {
-            check.missing(&table, "u0", &format!("{SIDES_OF_A_NET}; {SIDES_OF_A_TRIANGLE}"));
+            empty(check, &table);
             (None, None)
         }
         _ => (Some(Kind::Tensor), tensor(check, &table, spec)),
     };
     Sides { kind, header, boundary }
+}
+
+fn empty(check: &mut Check<'_>, table: &Table) {
+    if !table.damaged {
+        let label = "no side of a net, no side of a triangle";
+        check.report(
+            Diagnostic::at(Fault::Missing, table.span.clone(), "[boundary] holds no points", label)
+                .help(SIDES_OF_A_NET)
+                .help(SIDES_OF_A_TRIANGLE),
+        );
+    }
 }
 
 fn mixed(check: &mut Check<'_>, spec: &BoundarySpec) {
@@ -209,10 +220,7 @@ pub(super) fn points(
         } else {
             format!("give at most {most} points: the degree is limited to {}", most - 1)
         };
-        let found = match list.len() {
-            1 => "1 point".to_owned(),
-            length => format!("{length} points"),
-        };
+        let found = counted(list.len(), "point");
         check.inadmissible(key.span(), format!("{name} has {found}"), found, help);
         return None;
     }
@@ -221,6 +229,7 @@ pub(super) fn points(
     for (k, point) in list.iter().enumerate() {
         let coordinates = &point.get_ref().0;
         if !dimensions.contains(&coordinates.len()) {
+            let found = counted(coordinates.len(), "coordinate");
             let wanted = if dimensions.len() == 1 { "3" } else { "2 or 3" };
             let mut help = format!("write a point as [x, y, z]; this is point {k} of {name}, counted from 0");
             if coordinates.len() == 2 {
@@ -228,8 +237,8 @@ pub(super) fn points(
             }
             check.inadmissible(
                 point.span(),
-                format!("a point of {name} has {} coordinates instead of {wanted}", coordinates.len()),
-                format!("{} coordinates", coordinates.len()),
+                format!("a point of {name} has {found} instead of {wanted}"),
+                found,
                 help,
             );
             return None;

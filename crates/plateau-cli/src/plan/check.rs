@@ -22,6 +22,7 @@ pub(super) struct Table {
     pub(super) name: String,
     /// Its header.
     pub(super) span: Range<usize>,
+    path: Vec<Step>,
     /// Whether some entry could not be read: then what seems missing may be that entry.
     pub(super) damaged: bool,
 }
@@ -43,7 +44,18 @@ impl<'a> Check<'a> {
     pub(super) fn table(&self, name: impl Into<String>, span: Range<usize>, path: &[Step]) -> Table {
         let damaged =
             self.removed.iter().any(|removed| removed.len() == path.len() + 1 && removed.starts_with(path));
-        Table { name: name.into(), span, damaged }
+        Table { name: name.into(), span, path: path.to_vec(), damaged }
+    }
+
+    /// A table inside another one.
+    pub(super) fn inner(
+        &self,
+        outer: &Table,
+        name: impl Into<String>,
+        span: Range<usize>,
+        steps: &[Step],
+    ) -> Table {
+        self.table(name, span, &[outer.path.as_slice(), steps].concat())
     }
 
     /// Whether the entry at exactly `path` could not be read.
@@ -182,9 +194,10 @@ impl<'a> Check<'a> {
         );
         diagnostic = match nearest(word, names.iter().map(|(candidate, _)| *candidate)) {
             Some(near) => diagnostic.help(format!("did you mean \"{near}\"?")),
-            None => {
-                diagnostic.help(format!("write {name} = {}", all.first().map_or("\"…\"", String::as_str)))
-            }
+            None => diagnostic.help(format!(
+                "write one of these names, as in {name} = {}",
+                all.first().map_or("", String::as_str)
+            )),
         };
         self.report(diagnostic);
         None

@@ -6,11 +6,11 @@ use super::boundary::points;
 use super::check::{Check, Table, top};
 use super::expected::check::Subject;
 use super::helicoid::expectations;
-use super::method::shape_parameters;
-use super::number::shown;
+use super::number::{counted, shown};
+use super::shape::shape_parameters;
 use super::{AHT_SPAN_BOUND, AT_SPAN_BOUND, Curve, CurveBasis, MAX_DEGREE};
 use crate::diagnostic::{Diagnostic, Fault};
-use crate::spec::{CurveSpec, ExpectSpec, Key, Samples};
+use crate::spec::{CurveSpec, ExpectSpec, Key, Samples, Section};
 
 /// Most samples of a curve.
 const MOST_SAMPLES: usize = 1_000_000;
@@ -29,8 +29,8 @@ enum Family {
 /// Checks `[curve]`.
 pub(super) fn curve(
     check: &mut Check<'_>,
-    spec: &Spanned<CurveSpec>,
-    expect: &Key<ExpectSpec>,
+    spec: &Spanned<Section<CurveSpec>>,
+    expect: &Key<Section<ExpectSpec>>,
 ) -> Option<Curve> {
     let table = check.table("[curve]", spec.span(), &top("curve"));
     let spec = spec.get_ref();
@@ -114,8 +114,8 @@ fn common_dimension(check: &mut Check<'_>, spec: &CurveSpec) -> Option<usize> {
         None => Some(dimension),
         Some(other) => {
             check.conflict(
-                (other.span(), &format!("{} coordinates", other.get_ref().0.len())),
-                (first.span(), &format!("{dimension} coordinates")),
+                (other.span(), &counted(other.get_ref().0.len(), "coordinate")),
+                (first.span(), &counted(dimension, "coordinate")),
                 "`points` in [curve] mixes planar and space points",
                 "give every point 2 coordinates (signed curvature) or every point 3",
             );

@@ -89,13 +89,13 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// Whether `ours` agrees with the number to the digits written. A NaN never does.
+    /// Whether `ours` agrees with the number to the digits written. NaN and infinity never do.
     ///
     /// The comparison itself may round: a value that lies on the limit up to a few units in the last
     /// place of the numbers compared counts as met.
     #[must_use]
     pub fn is_met_by(&self, ours: f64) -> bool {
-        let rounding = 4.0 * f64::EPSILON * self.value.abs().max(ours.abs());
+        let rounding = 4.0 * f64::EPSILON * (self.value.abs() + self.tolerance);
         (ours - self.value).abs() <= self.tolerance + rounding
     }
 }
@@ -122,10 +122,10 @@ pub struct Published {
 }
 
 impl Published {
-    /// Whether `ours` rounds to the printed number. A NaN never does.
+    /// Whether `ours` rounds to the printed number. NaN and infinity never do.
     #[must_use]
     pub fn agrees_with(&self, ours: f64) -> bool {
-        let rounding = 4.0 * f64::EPSILON * self.printed.abs().max(ours.abs());
+        let rounding = 4.0 * f64::EPSILON * (self.printed.abs() + self.tolerance);
         (ours - self.printed).abs() <= self.tolerance + rounding
     }
 }

@@ -14,7 +14,7 @@ use super::method::methods;
 use super::search::search;
 use super::{Experiment, Format, MAX_FILE_SIZE, Output, PatchExperiment, Plan, Search};
 use crate::diagnostic::{Diagnostic, Fault, Refusal};
-use crate::spec::{self, OutputSpec, Reading, Spec};
+use crate::spec::{self, OutputSpec, Reading, Section, Spec};
 
 const KINDS: &str =
     "an experiment holds one of [boundary] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]";
@@ -29,8 +29,8 @@ impl Plan {
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Refusal> {
         let path = path.as_ref();
         let file = path.display().to_string();
-        let text = load(path).map_err(|diagnostic| Refusal::new(&file, "", vec![diagnostic]))?;
-        Self::parse(&text, &file)
+        let text = load(path)?;
+        Self::parse(&file, &text)
     }
 
     /// Checks the text of an experiment file; `file` names it in messages, and its stem names the output folder.
@@ -43,10 +43,10 @@ impl Plan {
     /// gamma = [0.0, 1.0]
     /// beta = [0.0, 0.0]
     /// "#;
-    /// let plan = plateau::Plan::parse(text, "half-turn.toml").unwrap();
+    /// let plan = plateau::Plan::parse("half-turn.toml", text).unwrap();
     /// assert_eq!((plan.stem.as_str(), plan.seed), ("half-turn", 0));
     ///
-    /// let refusal = plateau::Plan::parse(&text.replace("span", "spam"), "half-turn.toml").unwrap_err();
+    /// let refusal = plateau::Plan::parse("half-turn.toml", &text.replace("span", "spam")).unwrap_err();
     /// assert!(refusal.to_string().contains("half-turn.toml:4:1"));
     /// assert!(refusal.to_string().contains("did you mean `span`?"));
     /// ```
@@ -54,7 +54,7 @@ impl Plan {
     /// # Errors
     ///
     /// A [`Refusal`] with every fault that could be told apart.
-    pub fn parse(text: &str, file: &str) -> Result<Self, Refusal> {
+    pub fn parse(file: &str, text: &str) -> Result<Self, Refusal> {
         if text.len() as u64 > MAX_FILE_SIZE {
             return Err(Refusal::new(file, "", vec![too_large(text.len() as u64)]));
         }
@@ -71,7 +71,8 @@ impl Plan {
 }
 
 /// The text of a file that is not too large.
-fn load(path: &Path) -> Result<String, Diagnostic> {
+fn load(path: &Path) -> Result<String, Refusal> {
+    let refuse = |diagnostic| Refusal::new(&path.display().to_string(), "", vec![diagnostic]);
     let unreadable = |error: std::io::Error| {
         let (message, help) = match error.kind() {
             ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name and the folder"),
@@ -83,7 +84,7 @@ fn load(path: &Path) -> Result<String, Diagnostic> {
             ErrorKind::InvalidData => not_utf8(),
             _ => (format!("the file cannot be read: {error}"), "check the file and the disk it lies on"),
         };
-        Diagnostic::whole_file(Fault::File, format!("{}: {message}", path.display())).help(help)
+        refuse(Diagnostic::whole_file(Fault::File, format!("{}: {message}", path.display())).help(help))
     };
     let file = File::open(path).map_err(unreadable)?;
     let metadata = file.metadata().map_err(unreadable)?;
@@ -91,20 +92,20 @@ fn load(path: &Path) -> Result<String, Diagnostic> {
         return Err(unreadable(ErrorKind::IsADirectory.into()));
     }
     if metadata.len() > MAX_FILE_SIZE {
-        return Err(too_large_file(path, metadata.len()));
+        return Err(refuse(too_large_file(path, metadata.len())));
     }
     // A pipe or a device has no length beforehand.
     let mut bytes = Vec::new();
     file.take(MAX_FILE_SIZE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > MAX_FILE_SIZE {
-        return Err(too_large_file(path, bytes.len() as u64));
+        return Err(refuse(too_large_file(path, bytes.len() as u64)));
     }
     String::from_utf8(bytes).map_err(|error| {
         let valid = error.utf8_error().valid_up_to();
         let line = 1 + error.as_bytes()[..valid].iter().filter(|&&byte| byte == b'\n').count();
         let (message, help) = not_utf8();
-        Diagnostic::whole_file(Fault::File, format!("{}: {message}, from line {line} on", path.display()))
-            .help(help)
+        let message = format!("{}: {message}, from line {line} on", path.display());
+        refuse(Diagnostic::whole_file(Fault::File, message).help(help))
     })
 }
 
@@ -179,7 +180,7 @@ fn seed(check: &mut Check<'_>, spec: &Spec) -> Option<u64> {
     }
 }
 
-fn output(check: &mut Check<'_>, key: &Spanned<OutputSpec>) -> Option<Output> {
+fn output(check: &mut Check<'_>, key: &Spanned<Section<OutputSpec>>) -> Option<Output> {
     let table = check.table("[output]", key.span(), &top("output"));
     let spec = key.get_ref();
     let mut output = Output::default();
@@ -247,6 +248,16 @@ fn experiment(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<Experi
     patches(check, spec, root).map(Experiment::Patch)
 }
 
+fn nothing(check: &mut Check<'_>, root: &Table) {
+    if !root.damaged {
+        let label = "the experiment has no subject";
+        check.report(
+            Diagnostic::at(Fault::Missing, root.span.clone(), "there is nothing to compute", label)
+                .help(KINDS),
+        );
+    }
+}
+
 fn patches(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<PatchExperiment> {
     if let Some(key) = &spec.expect {
         let help = "write [method.expect] below the [[method]] it belongs to";
@@ -274,7 +285,7 @@ fn patches(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<PatchExpe
                     "the methods need a boundary: give u0, u1, v0, v1, or ab, bc, ca",
                 );
             } else {
-                check.missing(root, "[boundary]", KINDS);
+                nothing(check, root);
             }
             Sides { kind: None, header: 0..0, boundary: None }
         }

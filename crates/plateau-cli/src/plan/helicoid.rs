@@ -4,10 +4,10 @@ use serde_spanned::Spanned;
 
 use super::check::{Check, Table, top};
 use super::expected::check::{Subject, expected};
-use super::number::shown;
+use super::number::{counted, shown};
 use super::{AT_SPAN_BOUND, Deformation, DeformationPath, Expected, Helicoid, TrapeziumHelicoid};
 use crate::diagnostic::{Diagnostic, Fault};
-use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, TrapeziumSpec};
+use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, TrapeziumSpec};
 
 /// Largest weight: with cosh u ≤ cosh 100 the coordinates stay far below overflow.
 const LARGEST_WEIGHT: f64 = 1e100;
@@ -15,8 +15,8 @@ const LARGEST_WEIGHT: f64 = 1e100;
 /// Checks `[helicoid]`.
 pub(super) fn helicoid(
     check: &mut Check<'_>,
-    spec: &Spanned<HelicoidSpec>,
-    expect: &Key<ExpectSpec>,
+    spec: &Spanned<Section<HelicoidSpec>>,
+    expect: &Key<Section<ExpectSpec>>,
 ) -> Option<Helicoid> {
     let table = check.table("[helicoid]", spec.span(), &top("helicoid"));
     let spec = spec.get_ref();
@@ -94,8 +94,8 @@ fn deformation(check: &mut Check<'_>, table: &Table, spec: &HelicoidSpec) -> Opt
 /// Checks `[trapezium-helicoid]`.
 pub(super) fn trapezium(
     check: &mut Check<'_>,
-    spec: &Spanned<TrapeziumSpec>,
-    expect: &Key<ExpectSpec>,
+    spec: &Spanned<Section<TrapeziumSpec>>,
+    expect: &Key<Section<ExpectSpec>>,
 ) -> Option<TrapeziumHelicoid> {
     let table = check.table("[trapezium-helicoid]", spec.span(), &top("trapezium-helicoid"));
     let spec = spec.get_ref();
@@ -136,8 +136,8 @@ fn pair(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<NumberList>)
         let length = key.get_ref().0.len();
         check.inadmissible(
             key.span(),
-            format!("`{name}` in {} has {length} numbers instead of 2", table.name),
-            format!("{length} numbers"),
+            format!("`{name}` in {} has {} instead of 2", table.name, counted(length, "number")),
+            counted(length, "number"),
             help,
         );
         return None;
@@ -151,7 +151,7 @@ fn pair(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<NumberList>)
 /// The top-level `[expect]`.
 pub(super) fn expectations(
     check: &mut Check<'_>,
-    key: &Key<ExpectSpec>,
+    key: &Key<Section<ExpectSpec>>,
     subject: Subject,
 ) -> Option<Vec<Expected>> {
     let Some(key) = key else { return Some(Vec::new()) };

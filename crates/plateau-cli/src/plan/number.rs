@@ -6,6 +6,11 @@ pub(super) fn shown(value: f64) -> String {
     if size == 0.0 || (1e-5..1e15).contains(&size) { format!("{value}") } else { format!("{value:e}") }
 }
 
+/// `1 point`, `4 points`.
+pub(super) fn counted(count: usize, noun: &str) -> String {
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
+}
+
 /// A point for a message.
 pub(super) fn shown_point(point: &[f64]) -> String {
     let coordinates: Vec<String> = point.iter().map(|&x| shown(x)).collect();
@@ -59,6 +64,8 @@ mod tests {
         assert_eq!(shown(-0.5), "-0.5");
         assert_eq!(shown(1e200), "1e200");
         assert_eq!(shown(f64::NAN), "NaN");
+        assert_eq!(counted(1, "point"), "1 point");
+        assert_eq!(counted(0, "point"), "0 points");
         assert_eq!(shown_point(&[0.0, 6.0, 2.5]), "[0, 6, 2.5]");
     }
 }

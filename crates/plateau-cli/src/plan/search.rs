@@ -3,10 +3,10 @@
 use serde_spanned::Spanned;
 
 use super::check::{Check, top};
-use super::number::shown;
+use super::number::{counted, shown};
 use super::{MAX_SEARCH_BUDGET, Search, Variant};
 use crate::diagnostic::{Diagnostic, Fault};
-use crate::spec::{NumberList, SearchSpec};
+use crate::spec::{NumberList, SearchSpec, Section};
 
 /// Ring neighbours on each side, unless said otherwise.
 const NEIGHBOURS: usize = 2;
@@ -18,7 +18,7 @@ enum Topology {
 }
 
 /// Checks `[search]`; what it leaves out is as in [`Search::default`].
-pub(super) fn search(check: &mut Check<'_>, spec: &Spanned<SearchSpec>) -> Option<Search> {
+pub(super) fn search(check: &mut Check<'_>, spec: &Spanned<Section<SearchSpec>>) -> Option<Search> {
     let table = check.table("[search]", spec.span(), &top("search"));
     let spec = spec.get_ref();
     let mut search = Search::default();
@@ -82,8 +82,8 @@ fn bounds(check: &mut Check<'_>, key: &Spanned<NumberList>) -> Option<[f64; 2]> 
     let [lower, upper] = list.as_slice() else {
         check.inadmissible(
             key.span(),
-            format!("`box` in [search] has {} numbers instead of 2", list.len()),
-            format!("{} numbers", list.len()),
+            format!("`box` in [search] has {} instead of 2", counted(list.len(), "number")),
+            counted(list.len(), "number"),
             help,
         );
         return None;

@@ -5,12 +5,45 @@
 
 use std::fmt;
 use std::marker::PhantomData;
+use std::ops::Deref;
 
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde_spanned::Spanned;
 
 use super::{PublishedSpec, TolerancedSpec};
+
+/// A table, and only a table: serde's derived structs would take a list of their fields as well.
+#[derive(Debug, Default)]
+pub(crate) struct Section<T>(T);
+
+impl<T> Deref for Section<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.0
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Section<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(SectionVisitor(PhantomData))
+    }
+}
+
+struct SectionVisitor<T>(PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for SectionVisitor<T> {
+    type Value = Section<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a table of keys")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<Section<T>, A::Error> {
+        T::deserialize(MapAccessDeserializer::new(table)).map(Section)
+    }
+}
 
 /// What a value may be; everything not overridden is a wrong type.
 trait Literal: Sized {
@@ -290,7 +323,7 @@ impl Literal for ExpectValue {
 #[derive(Debug)]
 pub(crate) enum Published {
     One(PublishedSpec),
-    Several(Vec<Spanned<PublishedSpec>>),
+    Several(Vec<Spanned<Section<PublishedSpec>>>),
 }
 
 impl Literal for Published {

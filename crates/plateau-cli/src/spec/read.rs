@@ -16,6 +16,10 @@ use crate::diagnostic::{Diagnostic, Fault, nearest};
 /// Syntax errors shown: each may cause others behind it.
 const MOST_SYNTAX_ERRORS: usize = 3;
 
+/// The remedy for an error behind which nothing is read as it was meant.
+const UNCLOSED: &str =
+    "a list that begins further up is not closed: count its brackets, or look for a missing comma";
+
 /// Entries taken out before the reading gives up.
 const MOST_REMOVED: usize = 12;
 
@@ -44,8 +48,7 @@ pub(crate) fn read(text: &str) -> Reading {
     let mut reading = Reading::default();
     let (mut document, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        reading.diagnostics =
-            errors.iter().take(MOST_SYNTAX_ERRORS).map(|error| syntax(text, error)).collect();
+        reading.diagnostics = syntax_errors(text, &errors);
         return reading;
     }
     loop {
@@ -58,10 +61,10 @@ pub(crate) fn read(text: &str) -> Reading {
         };
         let span = error.span().unwrap_or(0..0);
         let Some(path) = locate(document.get_ref(), &span) else {
-            reading.diagnostics.push(structure(&error, span, None));
+            reading.diagnostics.push(structure(text, &error, span, None));
             return reading;
         };
-        reading.diagnostics.push(structure(&error, span, Some(&path)));
+        reading.diagnostics.push(structure(text, &error, span, Some(&path)));
         remove(document.get_mut(), &path);
         reading.removed.push(path);
         if reading.removed.len() == MOST_REMOVED {
@@ -136,28 +139,80 @@ fn table_name(path: &[Step]) -> String {
     }
 }
 
+/// The first syntax errors: one a line, and no kind of them twice, since the later ones are mostly
+/// consequences of the earlier.
+fn syntax_errors(text: &str, errors: &[Error]) -> Vec<Diagnostic> {
+    let mut diagnostics: Vec<Diagnostic> = Vec::new();
+    let mut lines = Vec::new();
+    let mut kinds = Vec::new();
+    for error in errors {
+        let kind = error.message().split(", expected ").next();
+        let diagnostic = syntax(text, error);
+        let line = diagnostic.position(text).map(|(line, _)| line);
+        if lines.contains(&line) || kinds.contains(&kind) {
+            continue;
+        }
+        lines.push(line);
+        kinds.push(kind);
+        let swallows_the_rest = diagnostic.remedies().iter().any(|help| help == UNCLOSED);
+        diagnostics.push(diagnostic);
+        if swallows_the_rest || diagnostics.len() == MOST_SYNTAX_ERRORS {
+            break;
+        }
+    }
+    diagnostics
+}
+
 /// A syntax error in our words.
 fn syntax(text: &str, error: &Error) -> Diagnostic {
     let span = error.span().unwrap_or(text.len()..text.len());
     let message = error.message();
     let (what, expected) = message.split_once(", expected ").unwrap_or((message, ""));
-    let label = if expected.is_empty() { what.to_owned() } else { format!("expected {expected}") };
+    let at = |what: &str, label: &str, help: &str| {
+        Diagnostic::at(Fault::Syntax, span.clone(), format!("this is not TOML: {what}"), label).help(help)
+    };
     if what == "duplicate key" {
-        let key = text.get(span.clone()).unwrap_or_default();
+        let key = shorten(text.get(span.clone()).unwrap_or_default());
         return Diagnostic::at(
             Fault::Syntax,
-            span.clone(),
-            format!("`{}` stands here for the second time", shorten(key)),
+            span,
+            format!("`{key}` stands here for the second time"),
             "already given above",
         )
-        .help("keep one of the two; several methods are written as several [[method]] tables, with two brackets");
+        .help("keep one of the two; only methods are repeated, as [[method]] tables with two brackets");
     }
-    Diagnostic::at(Fault::Syntax, span, format!("this is not TOML: {what}"), label)
-        .help("TOML writes key = value, texts in \"quotes\", lists in [brackets] with commas, and tables under a [header]")
+    let before = text.get(..span.start).unwrap_or_default();
+    let opens_line = before[before.rfind('\n').map_or(0, |k| k + 1)..].trim().is_empty();
+    let ends_line =
+        text.get(span.start..).is_none_or(|rest| rest.lines().next().unwrap_or("").trim().is_empty());
+    if what.starts_with("string values must be quoted") {
+        return if ends_line {
+            at(
+                "a value is missing",
+                "expected a value",
+                "write the value behind the `=`, or take the line out",
+            )
+        } else {
+            at(
+                "a text stands without quotes",
+                "expected a value",
+                "put a text into quotes: energy = \"dirichlet\"",
+            )
+        };
+    }
+    let label = if expected.is_empty() { what.to_owned() } else { format!("expected {expected}") };
+    let help = if opens_line && what.contains("array") {
+        UNCLOSED
+    } else if what.contains("string") || what.contains("quote") {
+        "a text ends on its line, with the quote it began with: title = \"…\""
+    } else {
+        "TOML writes key = value, texts in \"quotes\", lists in [brackets] with commas, and tables under a [header]"
+    };
+    at(what, &label, help)
 }
 
 /// A fault of structure (an unknown key, a wrong type) in our words.
-fn structure(error: &Error, span: Range<usize>, path: Option<&[Step]>) -> Diagnostic {
+fn structure(text: &str, error: &Error, span: Range<usize>, path: Option<&[Step]>) -> Diagnostic {
     let message = error.message();
     let key = match path.and_then(<[Step]>::last) {
         Some(Step::Key(key)) => shorten(key),
@@ -171,8 +226,12 @@ fn structure(error: &Error, span: Range<usize>, path: Option<&[Step]>) -> Diagno
     if let Some((found, expected)) =
         message.strip_prefix("invalid type: ").and_then(|m| m.rsplit_once(", expected "))
     {
-        let found = found_in_toml(found);
-        let expected = if expected == "a sequence" { "a list" } else { expected };
+        let table = text.get(span.clone()).is_some_and(|text| text.starts_with(['[', '{']));
+        let found = found_in_toml(found, table);
+        let expected = match expected {
+            "a sequence" => "a list of tables",
+            other => other,
+        };
         let diagnostic = Diagnostic::at(
             Fault::WrongType,
             span,
@@ -188,7 +247,7 @@ fn structure(error: &Error, span: Range<usize>, path: Option<&[Step]>) -> Diagno
             format!("`{key}`{inside} holds a number too large to be represented"),
             "too large",
         )
-        .help("floating-point numbers end at 1.8e308, and coordinates are admitted up to 1e150: choose a smaller unit of length");
+        .help("whole numbers end at 2^63 - 1 and others at 1.8e308; coordinates are admitted up to 1e150: choose a larger unit");
     }
     Diagnostic::at(Fault::WrongType, span, format!("`{key}`{inside} cannot be read"), shorten(message))
         .help("compare it with a template: `plateau new tensor` prints one")
@@ -221,13 +280,14 @@ fn unknown_key(message: &str, span: Range<usize>, key: &str, place: Option<&str>
 }
 
 /// serde's "string", "sequence", "map" in TOML's words.
-fn found_in_toml(found: &str) -> &'static str {
+fn found_in_toml(found: &str, table: bool) -> &'static str {
     match found.split([' ', '`']).next() {
-        Some("boolean") => "true or false",
+        Some("boolean") => "`true` or `false`",
         Some("integer") => "a whole number",
         Some("floating") => "a number with a decimal point",
         Some("sequence") => "a list",
-        Some("map") => "a table or a date",
+        Some("map") if table => "a table",
+        Some("map") => "a date",
         _ if found == "an integer" => "a whole number",
         _ => "a text in quotes",
     }
@@ -245,13 +305,16 @@ fn type_help(key: &str, inside: bool, found: &str, expected: &str) -> String {
             "write `{key}` as a list of points, each a list of numbers: {key} = [[0, 0, 0], [2, 0, 2], [4, 0, -2]]"
         );
     }
-    if found == "a text in quotes" && expected == "a number" {
-        return format!("write the number without quotes: {key} = 1.5");
+    if expected.starts_with("a table") {
+        return format!("open it by the header [{key}] on a line of its own, and write its keys below");
+    }
+    if found == "a text in quotes" && (expected == "a number" || expected == "a whole number") {
+        return "take the quotes away: numbers stand without them".to_owned();
     }
     if found == "a number with a decimal point" && expected == "a whole number" {
-        return format!("write it without a point: {key} = 10");
+        return "write it without a decimal point".to_owned();
     }
-    format!("write {expected} after `{key} =`")
+    format!("write `{key} = …` with {expected}")
 }
 
 /// At most 60 characters of a text that comes from the file.

@@ -6,10 +6,10 @@ use serde_spanned::Spanned;
 
 use super::{Expected, Published, Quantity};
 use crate::diagnostic::{Diagnostic, Fault, position};
-use crate::plan::check::{Check, Table};
-use crate::plan::number::{half_unit_of_last_digit, shown};
+use crate::plan::check::{Check, Table, top};
+use crate::plan::number::{counted, half_unit_of_last_digit, shown};
 use crate::plan::{Patch, Shape};
-use crate::spec::{self, ExpectSpec, ExpectValue, Key, Number, PublishedSpec, TolerancedSpec};
+use crate::spec::{self, ExpectSpec, ExpectValue, Key, Number, PublishedSpec, Section, Step, TolerancedSpec};
 
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]
@@ -25,27 +25,27 @@ impl Subject {
         use Quantity as Q;
         match (self, quantity) {
             (Self::Curve { .. }, Q::Curvature(_)) => None,
-            (Self::Curve { .. }, _) => Some("the result of a curve has only `curvature`"),
-            (_, Q::Curvature(_)) => {
-                Some("`curvature` is for [curve] experiments; surfaces have `mean-curvature-max`")
-            }
+            (Self::Curve { .. }, _) => Some("the result of a curve has only `curvature`: take the key out"),
+            (_, Q::Curvature(_)) => Some(
+                "`curvature` is for [curve] experiments; surfaces have `mean-curvature-max`: take the key out",
+            ),
             (
                 Self::Helicoid,
                 Q::Shape(_) | Q::SearchMinimum | Q::BoundaryDeviation | Q::HarmonicBound | Q::Residual,
             ) => Some(
-                "a helicoid has neither boundary curves nor shape parameters to compare; it has `deviation`",
+                "a helicoid has neither boundary curves nor shape parameters to compare, only `deviation`: take the key out",
             ),
             (Self::Patch { .. }, Q::Deviation) => {
-                Some("`deviation` is for helicoids; a patch has `boundary-deviation`")
+                Some("`deviation` is for helicoids: write `boundary-deviation`, or take the key out")
             }
             (Self::Patch { shape: Shape::None, .. }, Q::Shape(_)) => {
-                Some("the Bernstein basis has no shape parameters")
+                Some("the Bernstein basis has no shape parameters: take the key out, or write basis = \"gt\"")
             }
             (Self::Patch { shape: Shape::None | Shape::Fixed(_), .. }, Q::SearchMinimum) => {
-                Some("this method searches nothing: add search = true")
+                Some("this method searches nothing: add search = true, or take the key out")
             }
             (Self::Patch { patch: Patch::Triangle, .. }, Q::BoundaryDeviation | Q::HarmonicBound) => {
-                Some("it is a figure of tensor patches")
+                Some("only tensor patches have this figure: take the key out")
             }
             _ => None,
         }
@@ -107,7 +107,7 @@ pub(in crate::plan) fn expected(
                     format!("{} expects `{}`, which the result will not have", table.name, quantity.name()),
                     "no such figure",
                 )
-                .help(format!("{reason}; take the key out")),
+                .help(reason),
             );
             sound = false;
             continue;
@@ -152,7 +152,7 @@ fn entry(
             };
             check.inadmissible(
                 key.span(),
-                format!("`{name}` in {} is a list of {} numbers", table.name, list.len()),
+                format!("`{name}` in {} is a list of {}", table.name, counted(list.len(), "number")),
                 length.map_or("expected one number".to_owned(), |length| {
                     format!("expected {length} numbers, or one")
                 }),
@@ -195,7 +195,7 @@ fn toleranced(
     let form = format!(
         "write {name} = {{ value = 38.0, tolerance = 0.05 }}, or the number alone to have its digits decide"
     );
-    let inner = Table { name: format!("`{name}` in {}", table.name), span, damaged: table.damaged };
+    let inner = check.inner(table, format!("`{name}` in {}", table.name), span, &top(name));
     let value = check.required(&inner, "value", &spec.value, &form);
     let tolerance = check.required(&inner, "tolerance", &spec.tolerance, &form);
     let value = value.and_then(|key| number(check, table, quantity, key.get_ref().0, key.span()));
@@ -210,18 +210,27 @@ pub(in crate::plan) fn published(
     method: &Table,
     key: &Spanned<spec::Published>,
 ) -> Option<Vec<Published>> {
-    let specs: Vec<(&PublishedSpec, Range<usize>)> = match key.get_ref() {
-        spec::Published::One(spec) => vec![(spec, key.span())],
-        spec::Published::Several(specs) => specs.iter().map(|spec| (spec.get_ref(), spec.span())).collect(),
+    let (found, count): (Vec<Published>, usize) = match key.get_ref() {
+        spec::Published::One(spec) => (one(check, method, spec, key.span(), None).into_iter().collect(), 1),
+        spec::Published::Several(specs) => {
+            let read = |(k, spec): (usize, &Spanned<Section<PublishedSpec>>)| {
+                one(check, method, spec.get_ref(), spec.span(), Some(k))
+            };
+            (specs.iter().enumerate().filter_map(read).collect(), specs.len())
+        }
     };
-    let found: Vec<Published> =
-        specs.iter().filter_map(|(spec, span)| one(check, method, spec, span.clone())).collect();
-    (found.len() == specs.len()).then_some(found)
+    (found.len() == count).then_some(found)
 }
 
-fn one(check: &mut Check<'_>, method: &Table, spec: &PublishedSpec, span: Range<usize>) -> Option<Published> {
-    let table =
-        Table { name: format!("[method.published] of {}", method.name), span, damaged: method.damaged };
+fn one(
+    check: &mut Check<'_>,
+    method: &Table,
+    spec: &PublishedSpec,
+    span: Range<usize>,
+    index: Option<usize>,
+) -> Option<Published> {
+    let steps = [top("published"), index.map(Step::Index).into_iter().collect()].concat();
+    let table = check.inner(method, format!("[method.published] of {}", method.name), span, &steps);
     let source_help = "say where the number is printed: source = \"GT Table 1\"";
     let source = check
         .required(&table, "source", &spec.source, source_help)
