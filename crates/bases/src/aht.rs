@@ -1,7 +1,7 @@
 //! The algebraic–hyperbolic–trigonometric (AHT) basis of order 6 (AHT §3).
 
 use crate::order_six::{COUNT, OrderSix};
-use crate::{Basis, BasisError, Matrix, Subdivide, Subdivision};
+use crate::{Basis, BasisError, Matrix, Subdivision};
 
 /// The AHT functions `b₀ … b₅`: the Bernstein-like basis of span{1, t, sin t, cos t, sinh t, cosh t} on [0, α].
 ///
@@ -135,9 +135,7 @@ impl Basis for Aht {
             out.copy_within((r - 4) * COUNT..(r - 3) * COUNT, r * COUNT);
         });
     }
-}
 
-impl Subdivide for Aht {
     fn subdivide(&self, t: f64) -> Result<Subdivision, BasisError> {
         Subdivision::of_translation_invariant(self, t, Self::new, |part, jets| part.control_values(jets))
     }

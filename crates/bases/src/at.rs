@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::order_six::{COUNT, OrderSix};
-use crate::{Basis, BasisError, Matrix, Subdivide, Subdivision};
+use crate::{Basis, BasisError, Matrix, Subdivision};
 
 /// The AT functions `b₀ … b₅`: the Bernstein-like basis of span{1, t, cos t, sin t, t sin t, t cos t} on [0, α].
 ///
@@ -147,9 +147,7 @@ impl Basis for At {
             }
         });
     }
-}
 
-impl Subdivide for At {
     fn subdivide(&self, t: f64) -> Result<Subdivision, BasisError> {
         Subdivision::of_translation_invariant(self, t, Self::new, |part, jets| part.control_values(jets))
     }

@@ -1,6 +1,6 @@
 use std::fmt::Debug;
 
-use crate::Matrix;
+use crate::{BasisError, Matrix, Subdivision};
 
 /// A finite family of smooth functions φ₀ … φ_{count−1} of one variable on a closed interval.
 ///
@@ -28,5 +28,16 @@ pub trait Basis: Debug + Send + Sync {
         let mut table = Matrix::zeros(order + 1, self.count());
         self.evaluate_into(t, order, table.as_mut_slice());
         table
+    }
+
+    /// The families of the two sides of `t` and the maps that take control points on the whole to theirs, for a
+    /// family whose functions, restricted to either side, are combinations of a family of the same kind.
+    ///
+    /// # Errors
+    /// [`BasisError::NotSubdivisible`] for a family that has no such sides (the default; GT is one),
+    /// [`BasisError::Cut`] unless `t` lies strictly inside the domain, [`BasisError::Span`] if a side is shorter than
+    /// the family allows.
+    fn subdivide(&self, _t: f64) -> Result<Subdivision, BasisError> {
+        Err(BasisError::NotSubdivisible)
     }
 }

@@ -1,7 +1,7 @@
 //! Bernstein polynomials.
 
 use crate::double_double::{DoubleDouble, two_sum};
-use crate::{Basis, BasisError};
+use crate::{Basis, BasisError, Subdivision};
 
 /// The Bernstein polynomials `B_{k,n}(t) = C(n,k) tᵏ (1−t)ⁿ⁻ᵏ`, k = 0 … n, on [0, 1] (GT (2.1)).
 ///
@@ -54,6 +54,10 @@ impl Basis for Bernstein {
     fn evaluate_into(&self, t: f64, order: usize, out: &mut [f64]) {
         assert_eq!(out.len(), (order + 1) * self.count(), "length of the output");
         fill(self.degree, t, order, out);
+    }
+
+    fn subdivide(&self, t: f64) -> Result<Subdivision, BasisError> {
+        Subdivision::of_bernstein(self, t)
     }
 }
 

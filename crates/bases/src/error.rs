@@ -46,6 +46,12 @@ pub enum BasisError {
         /// What the bound is.
         meaning: &'static str,
     },
+    /// A family has no subdivision: restricted to a part of its domain it is not of its own kind.
+    #[error(
+        "this family of functions cannot be subdivided: restricted to a part of its domain it is another family; \
+         Bernstein, AHT and AT can"
+    )]
+    NotSubdivisible,
     /// A family cannot be cut at an end of its domain, outside it or at what is not a number.
     #[error("cannot subdivide at {cut}: it must lie strictly between {start} and {end}")]
     Cut {

@@ -49,4 +49,4 @@ pub use gt::{Gt, GtParts};
 pub use matrix::Matrix;
 pub use quadrature::GaussLegendre;
 pub use stacked::Stacked;
-pub use subdivision::{Subdivide, Subdivision};
+pub use subdivision::Subdivision;

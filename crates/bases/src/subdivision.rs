@@ -5,20 +5,10 @@ use std::sync::Arc;
 use crate::order_six::COUNT;
 use crate::{Basis, BasisError, Bernstein, Matrix};
 
-/// A family whose space, restricted to either side of a parameter, is spanned by a family of the same kind.
+/// The two sides of a cut, see [`Basis::subdivide`]: what a de Casteljau algorithm needs. Control points on the two sides
+/// are linear combinations of those on the whole, with nonnegative weights that sum to 1.
 ///
-/// This is what a de Casteljau algorithm needs: control points on the two sides are linear combinations of the
-/// control points on the whole, with nonnegative weights that sum to 1.
-pub trait Subdivide: Basis {
-    /// The families of the two sides of `t`, and the maps that take control points to theirs.
-    ///
-    /// # Errors
-    /// [`BasisError::Cut`] unless `t` lies strictly inside the domain; [`BasisError::Span`] if a side is shorter than the
-    /// family allows.
-    fn subdivide(&self, t: f64) -> Result<Subdivision, BasisError>;
-}
-
-/// The two sides of a cut. A side's own parameter starts at 0: the right one at t is the whole at `cut + t`
+/// A side's own parameter starts at 0: the right one at t is the whole at `cut + t`
 /// (for [`Bernstein`], whose domain is always [0, 1], both are rescaled).
 #[derive(Debug, Clone)]
 pub struct Subdivision {
@@ -53,20 +43,18 @@ impl Subdivision {
         let (left_map, right_map) = (map(&left, 0), map(&right, 1));
         Ok(Self { left: Arc::new(left), right: Arc::new(right), left_map, right_map })
     }
-}
 
-impl Subdivide for Bernstein {
     /// De Casteljau's algorithm: left weights `B_{j,i}(t)`, right weights `B_{j−i,n−i}(t)`.
-    fn subdivide(&self, t: f64) -> Result<Subdivision, BasisError> {
-        check_cut(self, t)?;
-        let n = self.degree();
+    pub(crate) fn of_bernstein(whole: &Bernstein, t: f64) -> Result<Self, BasisError> {
+        check_cut(whole, t)?;
+        let n = whole.degree();
         let rows: Vec<Matrix> =
-            (0..=n).map(|i| Self::new(i).map(|b| b.evaluate(t, 0))).collect::<Result<_, _>>()?;
+            (0..=n).map(|i| Bernstein::new(i).map(|b| b.evaluate(t, 0))).collect::<Result<_, _>>()?;
         let left_map = Matrix::from_fn(n + 1, n + 1, |i, j| if j <= i { rows[i][(0, j)] } else { 0.0 });
         let right_map =
             Matrix::from_fn(n + 1, n + 1, |i, j| if j >= i { rows[n - i][(0, j - i)] } else { 0.0 });
-        let (left, right) = (Arc::new(self.clone()), Arc::new(self.clone()));
-        Ok(Subdivision { left, right, left_map, right_map })
+        let (left, right) = (Arc::new(whole.clone()), Arc::new(whole.clone()));
+        Ok(Self { left, right, left_map, right_map })
     }
 }
 

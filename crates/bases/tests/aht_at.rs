@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use bases::{Aht, At, Basis, BasisError, Bernstein, Matrix, Subdivide};
+use bases::{Aht, At, Basis, BasisError, Bernstein, Gt, Matrix};
 use proptest::prelude::*;
 use serde_json::Value;
 
 const U: f64 = f64::EPSILON / 2.0;
 
 /// What both families offer beside the traits.
-trait OrderSix: Subdivide {
+trait OrderSix: Basis {
     fn control(&self, end_jets: [[f64; 3]; 2]) -> [f64; 6];
     fn rule(&self) -> [f64; 3];
     fn margin_to_bound(&self) -> f64;
@@ -393,6 +393,11 @@ fn cuts_outside_the_domain_are_errors() {
         assert!(matches!(basis.subdivide(cut), Err(BasisError::Cut { .. })));
         assert!(matches!(Bernstein::new(3).unwrap().subdivide(cut), Err(BasisError::Cut { .. })));
     }
+}
+
+#[test]
+fn a_family_without_subdivision_says_so() {
+    assert_eq!(Gt::new(3, [1.0, 1.0]).unwrap().subdivide(0.5).unwrap_err(), BasisError::NotSubdivisible);
 }
 
 #[test]
