@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // About as dear as a reduced energy: 4-dimensional, some 60 ns.
     let dear = FnObjective::new(4, |x: &[f64]| {
         let mut sum = 37.4;
-        for k in 1..12 {
+        for k in 1..26 {
             let t = x[0] * x[1] - x[2] + x[3] / f64::from(k);
             sum += (t * t + 1.0).sqrt();
         }

@@ -178,3 +178,45 @@ impl BoxModel {
         worst
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(512))]
+
+        /// One call finds the minimum: free components have no slope, multipliers their signs.
+        #[test]
+        fn the_model_is_minimised_over_the_box(
+            (n, pairs, gradient, start) in (1..7_usize).prop_flat_map(|n| (
+                Just(n),
+                prop::collection::vec((-1.0..1.0_f64, 0.3..3.0_f64), n * n),
+                prop::collection::vec(-2.0..2.0_f64, n),
+                prop::collection::vec(prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64], n),
+            )),
+        ) {
+            let bounds = Bounds::cube(n, 0.0, 1.0).expect("a cube");
+            let mut hessian = Hessian::new(n);
+            hessian.reset(1.0, &vec![1.0; n]);
+            for row in pairs.chunks_exact(n) {
+                // y = diag(p) s with p > 0 has positive curvature along s.
+                let s: Vec<f64> = row.iter().map(|p| p.0).collect();
+                let y: Vec<f64> = row.iter().map(|p| p.0 * p.1).collect();
+                hessian.update(&s, &y, false);
+            }
+            let mut model = BoxModel::new(n);
+            let mut target = vec![f64::NAN; n];
+            prop_assert!(model.minimize(&hessian, &gradient, &start, &bounds, &mut target));
+            let step: Vec<f64> = target.iter().zip(&start).map(|(t, x)| t - x).collect();
+            for i in 0..n {
+                let slope = gradient[i] + dot(hessian.row(i), &step);
+                let size: f64 = hessian.row(i).iter().map(|b| b.abs()).sum();
+                prop_assert!((0.0..=1.0).contains(&target[i]));
+                prop_assert!(target[i] == 0.0 || slope <= 1e-10 * (1.0 + size));
+                prop_assert!(target[i] == 1.0 || slope >= -1e-10 * (1.0 + size));
+            }
+        }
+    }
+}

@@ -57,3 +57,33 @@ impl Hessian {
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_updated_matrix_maps_the_step_to_the_change() {
+        for shrink in [false, true] {
+            let mut hessian = Hessian::new(3);
+            hessian.reset(4.0, &[1.0, 2.0, 0.5]);
+            let (s, y) = ([0.5, -1.0, 0.25], [1.0, -0.5, 2.0]);
+            assert!(hessian.update(&s, &y, shrink));
+            for i in 0..3 {
+                assert!((dot(hessian.row(i), &s) - y[i]).abs() < 1e-14);
+                for j in 0..i {
+                    assert!((hessian.row(i)[j] - hessian.row(j)[i]).abs() < 1e-15);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn negative_curvature_is_refused() {
+        let mut hessian = Hessian::new(1);
+        hessian.reset(1.0, &[1.0]);
+        assert!(!hessian.update(&[1.0], &[-1.0], false));
+        assert!(!hessian.update(&[0.0], &[0.0], false));
+        assert_eq!(hessian.row(0), [1.0]);
+    }
+}

@@ -105,6 +105,27 @@ proptest! {
     }
 
     #[test]
+    fn polishing_a_minimum_again_does_not_raise_it(
+        (objective, bounds, start) in bounded_quadratics(), far in -12..-6_i32,
+    ) {
+        // The value blurs far above its last digits, as if by cancellation within the objective.
+        let blurred = FnSmooth::new(start.len(), |x: &[f64], g: &mut [f64]| {
+            let value = objective.value_and_gradient(x, g);
+            let blur = x.iter().fold(0, |hash: u64, x| hash.rotate_left(9) ^ x.to_bits()) % 64;
+            value + 1e-14 * value.abs() * blur as f64
+        });
+        let minimum = Polish::default().run(&objective, &bounds, &start).unwrap().point;
+        let near: Vec<f64> = (0..minimum.len())
+            .map(|i| minimum[i] + 10_f64.powi(far) * bounds.width(i))
+            .zip(bounds.upper())
+            .map(|(x, upper)| x.min(*upper))
+            .collect();
+        let begin = blurred.value_and_gradient(&near, &mut vec![0.0; near.len()]);
+        let report = Polish::default().run(&blurred, &bounds, &near).unwrap();
+        prop_assert!(report.value <= begin + 16.0 * f64::EPSILON * begin.abs());
+    }
+
+    #[test]
     fn every_point_evaluated_lies_in_the_box((objective, bounds, start) in bounded_quadratics()) {
         let (calls, outside) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let watched = FnSmooth::new(start.len(), |x: &[f64], g: &mut [f64]| {
@@ -237,6 +258,31 @@ fn walls_of_nan_are_walked_around() {
     let report = Polish::default().run(&barrier, &cube(1, [-10.0, 10.0]), &[-1.0]).unwrap();
     assert_eq!((report.reason, report.evaluations), (PolishReason::NotFinite, 1));
     assert_eq!(report.point, [-1.0]);
+}
+
+#[test]
+fn a_gradient_of_nan_is_no_result() {
+    // The value falls into the region without gradient.
+    let torn = FnSmooth::new(1, |x: &[f64], g: &mut [f64]| {
+        g[0] = if x[0] < 0.5 { f64::NAN } else { 1.0 };
+        x[0] + 2.0
+    });
+    let report = Polish::default().run(&torn, &cube(1, [-1.0, 1.0]), &[0.9]).unwrap();
+    assert!(report.gradient[0] == 1.0 && report.residual == 2.0, "{report}");
+    assert!(report.value < 2.9 && report.point[0] >= 0.5);
+    assert_ne!(report.reason, PolishReason::Stationary);
+}
+
+#[test]
+fn the_last_evaluation_of_a_budget_is_not_lost() {
+    let slope = FnSmooth::new(1, |x: &[f64], g: &mut [f64]| {
+        g[0] = -1.0;
+        -x[0]
+    });
+    let polish = Polish { evaluations: 2, ..Polish::default() };
+    let report = polish.run(&slope, &cube(1, [0.0, 100.0]), &[1.0]).unwrap();
+    assert_eq!((report.reason, report.evaluations), (PolishReason::Budget, 2));
+    assert!(report.value < -1.0, "{report}");
 }
 
 #[test]

@@ -223,8 +223,8 @@ fn nothing_finite_is_said_and_not_a_panic() {
     assert_eq!(none.nan_evaluations(), 1200);
 }
 
-/// Forgets to write all but the first value of a batch.
-struct Forgetful;
+/// Writes its first batch, then forgets all but the first value.
+struct Forgetful(AtomicUsize);
 
 impl Objective for Forgetful {
     fn dimension(&self) -> usize {
@@ -232,15 +232,17 @@ impl Objective for Forgetful {
     }
 
     fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        values[0] = points[0];
+        let written = if self.0.fetch_add(1, Relaxed) == 0 { values.len() } else { 1 };
+        values[..written].copy_from_slice(&points[..written]);
     }
 }
 
 #[test]
 fn a_forgotten_value_is_nan() {
     let pso = Pso { particles: 10, iterations: 4, ..Pso::new(1) };
-    let run = pso.run(&Forgetful, &cube(1, [0.0, 1.0]), 0, &()).unwrap();
-    assert_eq!(run.nan_evaluations, 9 * 5);
+    let forgetful = Forgetful(AtomicUsize::new(0));
+    let run = pso.run(&forgetful, &cube(1, [0.0, 1.0]), 0, &()).unwrap();
+    assert_eq!(run.nan_evaluations, 9 * 4);
 }
 
 #[test]
@@ -296,6 +298,15 @@ fn stagnation_waits_for_the_first_finite_value() {
     let pso = Pso { stagnation: Some(window), ..Pso::new(1) };
     let run = pso.run(&late, &cube(1, [-1.0, 1.0]), 0, &()).unwrap();
     assert_eq!((run.reason, run.iterations()), (Reason::Stagnation, 18));
+}
+
+#[test]
+fn stagnation_also_ends_a_search_for_nothing() {
+    let nothing = FnObjective::new(1, |_: &[f64]| f64::NAN);
+    let window = Stagnation { iterations: 10, tolerance: 0.0 };
+    let pso = Pso { stagnation: Some(window), ..Pso::new(1) };
+    let run = pso.run(&nothing, &cube(1, [-1.0, 1.0]), 0, &()).unwrap();
+    assert_eq!((run.reason, run.iterations()), (Reason::NothingFinite, 10));
 }
 
 #[test]

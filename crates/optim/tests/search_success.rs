@@ -1,7 +1,7 @@
 //! How often the known minimum (0) is found within 1e-5, over 20 seeds.
 //!
-//! Rates are those of 20 fixed seeds, so they repeat exactly; the floors leave room for a change of
-//! the random numbers, not of the method. Over 100 seeds the global swarm finds Rosenbrock in three
+//! Rates are those of 20 fixed seeds, so they repeat exactly; the floors hold for
+//! seven blocks of 20 other seeds too. Over 100 seeds the global swarm finds Rosenbrock in three
 //! dimensions 19 times, Griewank 76, 34 and 7 times, Rastrigin in four dimensions 79 times.
 
 mod functions;
@@ -32,19 +32,19 @@ fn assert_floors(topology: Topology, floors: [&[usize]; 5]) {
 
 #[test]
 fn global_swarm() {
-    let floors: [&[usize]; 5] = [&[20; 3], &[20, 2], &[20, 20, 14], &[20; 3], &[12, 3]];
+    let floors: [&[usize]; 5] = [&[20; 3], &[20], &[20, 17, 12], &[20; 3], &[11, 2]];
     assert_floors(Topology::Global, floors);
 }
 
 #[test]
 fn ring_swarm() {
-    let floors: [&[usize]; 5] = [&[20; 3], &[20], &[20, 20, 17], &[20; 3], &[18, 2]];
+    let floors: [&[usize]; 5] = [&[20; 3], &[20], &[20, 17, 15], &[20; 3], &[17, 2]];
     assert_floors(Topology::Ring { neighbours: 2 }, floors);
 }
 
 #[test]
 fn a_polish_finds_what_the_swarm_is_slow_to_find() {
-    for (dimension, floor) in [(3, 20), (4, 19)] {
+    for (dimension, floor) in [(3, 20), (4, 15)] {
         let bounds = cube(dimension, [-2.0, 2.0]);
         let objective = FnObjective::new(dimension, rosenbrock);
         let smooth = FnSmooth::new(dimension, rosenbrock_with_gradient);
