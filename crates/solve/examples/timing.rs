@@ -8,7 +8,7 @@ use families::{
     Random, add_kronecker, bernstein_samples, example_5_1, gram, gt_dirichlet, gt_samples, interior,
     smooth_net,
 };
-use solve::{Parametric, Partition, Path, Separable, SeparableParametric};
+use solve::{Parametric, Partition, Path, Separable, SeparableParametric, Triplet};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -92,6 +92,44 @@ fn main() -> Result<(), solve::SolveError> {
             let _ = black_box(Separable::new(&samples, &samples, &free, &free).and_then(|s| s.solve(&net)));
         });
         println!("{degree:>6} {:>14.1} {:>14.1} {:>8.1}", dense / 1e3, separable / 1e3, dense / separable);
+    }
+
+    // The Dirichlet mask of a triangular net of degree 60, 7 entries a row.
+    let inner: Vec<[i32; 3]> = (1..60).flat_map(|i| (1..60 - i).map(move |j| [i, j, 60 - i - j])).collect();
+    let mut triplets = Vec::new();
+    for (row, at) in inner.iter().enumerate() {
+        triplets.push(Triplet { row, column: row, value: -4.0 });
+        for (shift, value) in [
+            ([-1, -1, 2], 2.0),
+            ([-1, 1, 0], -1.0),
+            ([1, -1, 0], -1.0),
+            ([-1, 2, -1], 1.0),
+            ([0, 1, -1], 1.0),
+            ([1, 0, -1], 1.0),
+            ([2, -1, -1], 1.0),
+        ] {
+            if let Ok(column) = inner.binary_search(&[at[0] + shift[0], at[1] + shift[1], at[2] + shift[2]]) {
+                triplets.push(Triplet { row, column, value });
+            }
+        }
+    }
+    let rhs = Random(3).vector(3 * inner.len());
+    let sparse = nanoseconds(1, || {
+        let _ = black_box(solve::solve_sparse(inner.len(), &triplets, 3, &rhs));
+    });
+    println!("\nsparse LU, {} unknowns: {:.1} ms", inner.len(), sparse / 1e6);
+
+    println!("\n{:>6} {:>12} {:>12}", "order", "us Cholesky", "us LU");
+    for n in [1, 2, 4, 8, 12, 16, 17, 36, 100, 400] {
+        let (matrix, rhs) = (Random(4).spd(n), Random(5).vector(3 * n));
+        let repeats = 1 + 100_000 / (n * n * n + 50);
+        let cholesky = nanoseconds(repeats, || {
+            let _ = black_box(solve::solve_spd(n, &matrix, 3, &rhs));
+        });
+        let lu = nanoseconds(repeats, || {
+            let _ = black_box(solve::solve_general(n, &matrix, 3, &rhs));
+        });
+        println!("{n:>6} {:>12.2} {:>12.2}", cholesky / 1e3, lu / 1e3);
     }
     Ok(())
 }

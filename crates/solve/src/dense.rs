@@ -1,6 +1,7 @@
 use crate::error::{from_evd, from_llt, from_svd};
 use crate::memory::{copy, filled, scratch, transposed, zeros};
 use crate::scale::{by_power, exponent};
+use crate::system::{Solution, System};
 use crate::{Partition, Place, SolveError, check, condition};
 use faer::diag::{Diag, DiagMut};
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -12,79 +13,8 @@ use faer::perm::PermRef;
 use faer::{Conj, MatMut, MatRef, Par, Spec};
 use std::cell::RefCell;
 
-/// The answer of a linear system, with the figures that say how far it can be trusted.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Solution {
-    /// The unknowns, row-major, one row an unknown.
-    pub x: Vec<f64>,
-    /// The largest of `‖b − A x‖₁ / (‖A‖₁ ‖x‖₁ n ε)` over the right-hand columns: at most about 1 when
-    /// all is well, and a failure above 30 (the threshold of LAPACK's tests). 0 for no unknowns.
-    pub residual: f64,
-    /// Estimate from below of `‖A‖₁ ‖A⁻¹‖₁`, almost always within a factor 3. 1 for no unknowns.
-    pub condition: f64,
-}
-
-/// A square matrix in units in which its largest entry is near 1, and what is known of it.
-#[derive(Debug, Clone)]
-struct System {
-    n: usize,
-    /// `2^-exponent A`, row-major.
-    matrix: Vec<f64>,
-    exponent: i32,
-    norm: f64,
-    condition: f64,
-}
-
-impl System {
-    fn new(n: usize, matrix: &[f64]) -> Result<Self, SolveError> {
-        let exponent = exponent(matrix);
-        let mut matrix = copy(matrix)?;
-        matrix.iter_mut().for_each(|a| *a = by_power(*a, -exponent));
-        let norm = one_norm(n, &matrix);
-        Ok(Self { n, matrix, exponent, norm, condition: 1.0 })
-    }
-
-    /// Keeps the condition number and says whether it leaves the solution a meaning.
-    fn accept(&mut self, inverse_norm: f64) -> bool {
-        if self.n > 0 {
-            self.condition = self.norm * inverse_norm;
-        }
-        self.condition <= condition::limit(self.n)
-    }
-
-    /// Solves for right-hand sides brought near 1, measures the residual there, and scales back.
-    fn solve(
-        &self,
-        columns: usize,
-        rhs: &[f64],
-        solve_in_place: impl FnOnce(&mut [f64]) -> Result<(), SolveError>,
-    ) -> Result<Solution, SolveError> {
-        let n = self.n;
-        check::right_hand_side(n, columns, rhs)?;
-        let mut b = transposed(n, columns, rhs)?;
-        let exponents: Vec<i32> = (0..columns).map(|c| exponent(&b[c * n..(c + 1) * n])).collect();
-        for c in 0..columns {
-            b[c * n..(c + 1) * n].iter_mut().for_each(|a| *a = by_power(*a, -exponents[c]));
-        }
-        let mut x = copy(&b)?;
-        solve_in_place(&mut x)?;
-        let mut residual = 0.0f64;
-        for c in 0..columns {
-            let (b, x) = (&mut b[c * n..(c + 1) * n], &mut x[c * n..(c + 1) * n]);
-            for i in 0..n {
-                b[i] -= self.matrix[i * n..(i + 1) * n].iter().zip(&*x).map(|(a, x)| a * x).sum::<f64>();
-            }
-            residual = residual.max(condition::scaled_residual(n, self.norm, b, x));
-            x.iter_mut().for_each(|a| *a = by_power(*a, exponents[c] - self.exponent));
-        }
-        let x = transposed(columns, n, &x)?;
-        check::finite(Place::Solution, columns.max(1), &x)?;
-        Ok(Solution { x, residual, condition: self.condition })
-    }
-}
-
 /// Largest order that is factored by plain loops; a blocked factorisation costs more than it saves there.
-const SMALL: usize = 16;
+const SMALL: usize = 8;
 
 /// `A = L Lᵀ` of a symmetric positive definite matrix.
 ///
@@ -98,6 +28,8 @@ const SMALL: usize = 16;
 #[derive(Debug, Clone)]
 pub struct Cholesky {
     system: System,
+    /// In the units of the system, row-major.
+    matrix: Vec<f64>,
     /// Column-major, the lower triangle counts.
     factor: Vec<f64>,
 }
@@ -112,17 +44,17 @@ impl Cholesky {
     pub fn new(n: usize, matrix: &[f64]) -> Result<Self, SolveError> {
         check::square(n, matrix)?;
         check::symmetric(n, matrix)?;
-        let system = System::new(n, matrix)?;
-        let mut factor = copy(&system.matrix)?;
+        let (system, matrix) = in_units(n, matrix)?;
+        let mut factor = copy(&matrix)?;
         if n <= SMALL {
             factor_small(n, &mut factor)?;
         } else {
             factor_blocked(n, &mut factor)?;
         }
-        let mut cholesky = Self { system, factor };
+        let mut cholesky = Self { system, matrix, factor };
         let solve = |x: &mut [f64]| cholesky.solve_in_place(x, 1);
         let inverse_norm = condition::inverse_norm(n, solve, solve);
-        if cholesky.system.accept(inverse_norm) {
+        if cholesky.system.accept(inverse_norm, condition::limit(n)) {
             Ok(cholesky)
         } else {
             let condition = Some(cholesky.system.condition);
@@ -146,10 +78,11 @@ impl Cholesky {
     /// [`SolveError::WrongShape`], [`SolveError::NotFinite`] (right-hand side, or a solution that overflows),
     /// [`SolveError::OutOfMemory`].
     pub fn solve(&self, columns: usize, rhs: &[f64]) -> Result<Solution, SolveError> {
-        self.system.solve(columns, rhs, |x| {
+        let solve = |x: &mut [f64]| {
             self.solve_in_place(x, columns);
             Ok(())
-        })
+        };
+        self.system.solve(columns, rhs, solve, |x, b| subtract_product(&self.matrix, x, b))
     }
 
     /// `rhs` column-major.
@@ -217,6 +150,7 @@ fn factor_blocked(n: usize, a: &mut [f64]) -> Result<(), SolveError> {
 #[derive(Debug, Clone)]
 pub struct Lu {
     system: System,
+    matrix: Vec<f64>,
     factor: Vec<f64>,
     permutation: Vec<usize>,
     inverse_permutation: Vec<usize>,
@@ -231,8 +165,8 @@ impl Lu {
     /// [`SolveError::OutOfMemory`].
     pub fn new(n: usize, matrix: &[f64]) -> Result<Self, SolveError> {
         check::square(n, matrix)?;
-        let system = System::new(n, matrix)?;
-        let mut factor = transposed(n, n, &system.matrix)?;
+        let (system, matrix) = in_units(n, matrix)?;
+        let mut factor = transposed(n, n, &matrix)?;
         let (mut permutation, mut inverse_permutation) = (filled(n, 0)?, filled(n, 0)?);
         if n > 0 {
             let parameters = Spec::default();
@@ -252,19 +186,17 @@ impl Lu {
         if (0..n).any(|k| factor[k * n + k] == 0.0 || !factor[k * n + k].is_finite()) {
             return Err(SolveError::Singular { order: n, reciprocal_condition: 0.0 });
         }
-        let mut lu = Self { system, factor, permutation, inverse_permutation };
+        let mut lu = Self { system, matrix, factor, permutation, inverse_permutation };
         let memory = RefCell::new(lu.memory(1)?);
         let inverse_norm = condition::inverse_norm(
             n,
             |x| lu.solve_in_place(x, 1, &mut memory.borrow_mut()),
             |x| lu.solve_transposed_in_place(x, &mut memory.borrow_mut()),
         );
-        if lu.system.accept(inverse_norm) {
+        if lu.system.accept(inverse_norm, condition::limit(n)) {
             Ok(lu)
         } else {
-            let condition = lu.system.condition;
-            let reciprocal_condition = if condition.is_nan() { 0.0 } else { 1.0 / condition };
-            Err(SolveError::Singular { order: n, reciprocal_condition })
+            Err(SolveError::Singular { order: n, reciprocal_condition: lu.system.reciprocal_condition() })
         }
     }
 
@@ -283,10 +215,11 @@ impl Lu {
     /// # Errors
     /// As [`Cholesky::solve`].
     pub fn solve(&self, columns: usize, rhs: &[f64]) -> Result<Solution, SolveError> {
-        self.system.solve(columns, rhs, |x| {
+        let solve = |x: &mut [f64]| {
             self.solve_in_place(x, columns, &mut self.memory(columns)?);
             Ok(())
-        })
+        };
+        self.system.solve(columns, rhs, solve, |x, b| subtract_product(&self.matrix, x, b))
     }
 
     fn memory(&self, columns: usize) -> Result<MemBuffer, SolveError> {
@@ -371,6 +304,21 @@ pub fn solve_partitioned(
     let mut x = copy(values)?;
     partition.scatter_free(columns, &solution.x, &mut x)?;
     Ok(Solution { x, ..solution })
+}
+
+/// The matrix in units in which its largest entry is near 1.
+fn in_units(n: usize, matrix: &[f64]) -> Result<(System, Vec<f64>), SolveError> {
+    let exponent = exponent(matrix);
+    let mut scaled = copy(matrix)?;
+    scaled.iter_mut().for_each(|a| *a = by_power(*a, -exponent));
+    Ok((System::new(n, exponent, one_norm(n, &scaled)), scaled))
+}
+
+/// `b ← b − A x`.
+fn subtract_product(matrix: &[f64], x: &[f64], b: &mut [f64]) {
+    for (b, row) in b.iter_mut().zip(matrix.chunks_exact(x.len().max(1))) {
+        *b -= row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
+    }
 }
 
 fn one_norm(n: usize, matrix: &[f64]) -> f64 {

@@ -206,17 +206,6 @@ pub(crate) fn from_creation(error: CreationError, order: usize, bytes: usize) ->
     }
 }
 
-pub(crate) fn from_sparse_llt(
-    error: faer::sparse::linalg::LltError,
-    order: usize,
-    bytes: usize,
-) -> SolveError {
-    match error {
-        faer::sparse::linalg::LltError::Numeric(error) => from_llt(error, order),
-        faer::sparse::linalg::LltError::Generic(error) => from_faer(error, bytes),
-    }
-}
-
 pub(crate) fn from_sparse_lu(error: LuError, order: usize, bytes: usize) -> SolveError {
     match error {
         LuError::SymbolicSingular { .. } => SolveError::Singular { order, reciprocal_condition: 0.0 },

@@ -16,12 +16,16 @@ mod parametric;
 mod partition;
 mod scale;
 mod separable;
+mod sparse;
+mod system;
 
 pub use dense::{
-    Cholesky, Lu, RankSolution, Solution, SymmetricEigen, eigen_symmetric, smallest_eigenvalue,
-    solve_general, solve_partitioned, solve_rank, solve_spd,
+    Cholesky, Lu, RankSolution, SymmetricEigen, eigen_symmetric, smallest_eigenvalue, solve_general,
+    solve_partitioned, solve_rank, solve_spd,
 };
 pub use error::{Place, SolveError};
 pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};
 pub use partition::Partition;
 pub use separable::{AffineSamples, Samples, Separable, SeparableParametric, SeparableSolution};
+pub use sparse::{SparseCholesky, SparseLu, Triplet, solve_sparse, solve_sparse_spd};
+pub use system::Solution;

@@ -6,7 +6,7 @@ use families::{Random, energy};
 use proptest::prelude::*;
 use solve::{Partition, Place, SolveError};
 
-const SIZES: [usize; 9] = [0, 1, 2, 3, 5, 10, 16, 17, 50];
+const SIZES: [usize; 9] = [0, 1, 2, 3, 5, 8, 9, 10, 50];
 
 /// Threshold of LAPACK's tests for ‖b − A x‖ / (‖A‖ ‖x‖ n ε).
 const RATIO: f64 = 30.0;
@@ -60,7 +60,7 @@ fn condition_of_the_hilbert_matrix_is_the_known_one() {
 #[test]
 fn each_kind_of_bad_matrix_has_its_own_error() {
     let ones = |n: usize| vec![1.0; n * n];
-    for n in [2, 16, 17, 40] {
+    for n in [2, 8, 9, 40] {
         let mut indefinite = vec![0.0; n * n];
         (0..n).for_each(|i| indefinite[i * n + i] = if i == n - 1 { -1.0 } else { 1.0 });
         match solve::solve_spd(n, &indefinite, 1, &vec![1.0; n]) {

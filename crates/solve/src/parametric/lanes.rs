@@ -4,7 +4,7 @@
 //! in the order of k, whatever the width and the size: a point's bits depend on its path alone. The columns of
 //! b are carried along as three more rows; their l and w give `J = c − Σ l w`.
 
-use super::path::{Arithmetic, Kernel};
+use super::path::{Arithmetic, Kernel, MOST_LANES};
 use super::table::{MONOMIALS, PRODUCTS, Tables, blocks};
 
 /// Values of `tables` at `points` (four numbers each) into `out`.
@@ -12,7 +12,7 @@ pub(super) struct Values<'a> {
     pub(super) tables: &'a Tables,
     pub(super) points: &'a [[f64; 4]],
     pub(super) out: &'a mut [f64],
-    pub(super) workspace: &'a mut Vec<f64>,
+    pub(super) workspace: &'a mut [f64],
 }
 
 impl Kernel for Values<'_> {
@@ -48,7 +48,7 @@ pub(super) struct ValueAndGradient<'a> {
     pub(super) tables: &'a Tables,
     pub(super) point: &'a [f64; 4],
     pub(super) gradient: &'a mut [f64; 4],
-    pub(super) workspace: &'a mut Vec<f64>,
+    pub(super) workspace: &'a mut [f64],
 }
 
 impl Kernel for ValueAndGradient<'_> {
@@ -90,32 +90,31 @@ struct Workspace<'a, const W: usize> {
     slot_weights: &'a mut [[f64; W]],
 }
 
+/// Lengths of the arrays of a [`Workspace`], in the order of its fields.
+#[inline(always)]
+fn lengths(tables: &Tables) -> [usize; 7] {
+    let (free, left, right) = (tables.free, tables.left.len(), tables.right.len());
+    [left, right, 3 * free + 1, (free + 3) * free, (free + 3) * free, 3 * free, left + right]
+}
+
+/// Numbers of memory that an evaluation needs, however many points it takes at a time.
+pub(super) fn memory(tables: &Tables) -> usize {
+    lengths(tables).iter().sum::<usize>() * MOST_LANES
+}
+
 impl<'a, const W: usize> Workspace<'a, W> {
+    /// `memory` holds at least [`memory`] numbers, of any value.
     #[inline(always)]
-    fn new(tables: &Tables, memory: &'a mut Vec<f64>) -> Self {
-        let free = tables.free;
-        let slots = tables.left.len() + tables.right.len();
-        let sizes = [
-            tables.left.len(),
-            tables.right.len(),
-            3 * free + 1,
-            (free + 3) * free,
-            (free + 3) * free,
-            3 * free,
-            slots,
-        ];
-        let length = sizes.iter().sum::<usize>() * W;
-        if memory.len() < length {
-            memory.resize(length, 0.0);
-        }
+    fn new(tables: &Tables, memory: &'a mut [f64]) -> Self {
+        let lengths = lengths(tables);
         let (rest, _) = memory.as_chunks_mut::<W>();
-        let (left, rest) = rest.split_at_mut(sizes[0]);
-        let (right, rest) = rest.split_at_mut(sizes[1]);
-        let (entries, rest) = rest.split_at_mut(sizes[2]);
-        let (w, rest) = rest.split_at_mut(sizes[3]);
-        let (l, rest) = rest.split_at_mut(sizes[4]);
-        let (minimiser, rest) = rest.split_at_mut(sizes[5]);
-        let slot_weights = &mut rest[..sizes[6]];
+        let (left, rest) = rest.split_at_mut(lengths[0]);
+        let (right, rest) = rest.split_at_mut(lengths[1]);
+        let (entries, rest) = rest.split_at_mut(lengths[2]);
+        let (w, rest) = rest.split_at_mut(lengths[3]);
+        let (l, rest) = rest.split_at_mut(lengths[4]);
+        let (minimiser, rest) = rest.split_at_mut(lengths[5]);
+        let slot_weights = &mut rest[..lengths[6]];
         Self { left, right, entries, w, l, minimiser, slot_weights }
     }
 }

@@ -119,7 +119,7 @@ impl Parametric {
     ///
     /// # Errors
     /// [`SolveError::WrongShape`], [`SolveError::WrongIndex`], [`SolveError::NotFinite`], [`SolveError::TooLarge`]
-    /// (more than 1024 free unknowns), [`SolveError::OutOfMemory`].
+    /// (more than 400 free unknowns), [`SolveError::OutOfMemory`].
     pub fn new(problem: &ParametricProblem) -> Result<Self, SolveError> {
         let tables = Tables::new(problem)?;
         let cols = problem.right.first().map_or(0, |matrix| matrix.rows);
@@ -155,17 +155,17 @@ impl Parametric {
     /// without touching its neighbours; [`solve`](Self::solve) says why.
     ///
     /// # Errors
-    /// [`SolveError::WrongShape`] unless `points` holds four numbers for each of `out`.
+    /// [`SolveError::WrongShape`] unless `points` holds four numbers for each of `out`;
+    /// [`SolveError::OutOfMemory`] for the first evaluation of a thread.
     pub fn values(&self, points: &[f64], out: &mut [f64]) -> Result<(), SolveError> {
         check::length("length of the points", 4 * out.len(), points.len())?;
         let (points, _) = points.as_chunks::<4>();
-        let mut workspace = WORKSPACE.take();
-        self.engine.run_lanes(Values { tables: &self.tables, points, out, workspace: &mut workspace });
-        WORKSPACE.set(workspace);
-        Ok(())
+        self.with_workspace(|workspace| {
+            self.engine.run_lanes(Values { tables: &self.tables, points, out, workspace });
+        })
     }
 
-    /// J at one point; NaN as in [`values`](Self::values), and the same bits.
+    /// J at one point, with the bits of [`values`](Self::values); NaN as there, and if there is no memory.
     pub fn value(&self, point: &[f64; 4]) -> f64 {
         let mut out = [0.0];
         let mut workspace = WORKSPACE.take();
@@ -184,11 +184,27 @@ impl Parametric {
     ///
     /// The value has the bits of [`values`](Self::values). Where it is NaN the gradient is too.
     pub fn value_and_gradient(&self, point: &[f64; 4], gradient: &mut [f64; 4]) -> f64 {
+        let slopes = &mut *gradient;
+        let run = self.with_workspace(|workspace| {
+            self.engine.run_one(ValueAndGradient { tables: &self.tables, point, gradient: slopes, workspace })
+        });
+        run.unwrap_or_else(|_| {
+            *gradient = [f64::NAN; 4];
+            f64::NAN
+        })
+    }
+
+    /// Lends this thread's workspace, which grows once to the largest system evaluated and is then reused.
+    #[inline]
+    fn with_workspace<T>(&self, run: impl FnOnce(&mut [f64]) -> T) -> Result<T, SolveError> {
         let mut workspace = WORKSPACE.take();
-        let kernel = ValueAndGradient { tables: &self.tables, point, gradient, workspace: &mut workspace };
-        let value = self.engine.run_one(kernel);
+        let length = lanes::memory(&self.tables);
+        if workspace.len() < length {
+            workspace = crate::memory::zeros(length)?;
+        }
+        let result = run(&mut workspace);
         WORKSPACE.set(workspace);
-        value
+        Ok(result)
     }
 
     /// The minimiser at one point, with residual and condition.

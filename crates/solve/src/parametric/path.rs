@@ -84,10 +84,13 @@ impl Engine {
     }
 }
 
+/// The most points that any path takes side by side.
+pub(super) const MOST_LANES: usize = 8;
+
 /// Points side by side: two vectors of the guaranteed instruction set each, so that sums hide latency.
 const PORTABLE_LANES: usize = 4;
 #[cfg(target_arch = "x86_64")]
-const FMA_LANES: usize = 8;
+const FMA_LANES: usize = MOST_LANES;
 
 /// Work that is written once for every arithmetic.
 pub(crate) trait Kernel {

@@ -9,7 +9,7 @@ pub(super) const MONOMIALS: usize = 6;
 pub(super) const PRODUCTS: usize = MONOMIALS * MONOMIALS;
 
 /// Largest number of free unknowns: beyond it a Gram matrix is singular in doubles anyway.
-const LARGEST_FREE: usize = 1024;
+const LARGEST_FREE: usize = 400;
 
 /// A parametric system with the fixed values contracted away: what an evaluation reads, and no more.
 ///

@@ -147,7 +147,7 @@ impl Direction {
             // The part of a free function that those before it do not span, against its size.
             let length = (0..=k).map(|i| self.triangle[(i, k)].powi(2)).sum::<f64>().sqrt();
             let pivot = self.triangle[(k, k)].abs();
-            if !(pivot > f as f64 * f64::EPSILON * length) || !length.is_finite() {
+            if pivot <= f as f64 * f64::EPSILON * length || !length.is_finite() {
                 return Err(SolveError::NotPositiveDefinite { order: f, pivot: Some(k), condition: None });
             }
         }

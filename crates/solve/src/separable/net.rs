@@ -124,7 +124,7 @@ impl Net {
         }
         let (least, largest) = spectrum(u, v);
         let noise = (u.free.max(v.free) as f64 * f64::EPSILON).powi(2);
-        if !(least > noise * largest) {
+        if least <= noise * largest || !largest.is_finite() {
             let condition = Some(largest / least);
             return Err(SolveError::NotPositiveDefinite { order: u.free * v.free, pivot: None, condition });
         }

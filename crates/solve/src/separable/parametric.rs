@@ -32,7 +32,7 @@ pub struct SeparableParametric {
     free_v: Vec<usize>,
     values: Vec<f64>,
     /// Idle workspaces: evaluations borrow one and give it back, so that none is allocated twice.
-    idle: Mutex<Vec<Box<Workspace>>>,
+    idle: Mutex<Vec<Workspace>>,
 }
 
 #[derive(Debug)]
@@ -135,14 +135,14 @@ impl SeparableParametric {
     pub fn solve(&self, point: &[f64; 4]) -> Result<SeparableSolution, SolveError> {
         let mut workspace = self.workspace()?;
         let solved = self.reduce(point, &mut workspace).and_then(|_| {
-            let Workspace { u, v, net } = &mut *workspace;
+            let Workspace { u, v, net } = &mut workspace;
             solution(u, v, net)
         });
         self.give_back(workspace);
         solved
     }
 
-    fn workspace(&self) -> Result<Box<Workspace>, SolveError> {
+    fn workspace(&self) -> Result<Workspace, SolveError> {
         if let Some(workspace) = self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop() {
             return Ok(workspace);
         }
@@ -151,10 +151,10 @@ impl SeparableParametric {
         };
         let (u, v) = (of(&self.u, &self.free_u)?, of(&self.v, &self.free_v)?);
         let net = Net::new(&u, &v)?;
-        Ok(Box::new(Workspace { u, v, net }))
+        Ok(Workspace { u, v, net })
     }
 
-    fn give_back(&self, workspace: Box<Workspace>) {
+    fn give_back(&self, workspace: Workspace) {
         self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(workspace);
     }
 
