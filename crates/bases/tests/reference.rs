@@ -1,4 +1,5 @@
 //! Values and derivatives against 60-digit references (`reference/bases.json`).
+#![allow(clippy::print_stdout, reason = "the worst errors are worth seeing with --nocapture")]
 
 use bases::{Basis, Bernstein, Gt};
 use serde_json::Value;

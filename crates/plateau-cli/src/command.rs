@@ -64,12 +64,12 @@ pub(crate) struct RunArguments {
     /// No progress on stderr
     #[arg(long, short)]
     pub(crate) quiet: bool,
-    /// Instructions of the linear algebra: portable ones give the same bits on every processor
+    /// Instructions of the search: portable ones give the same bits on every processor
     #[arg(long, value_name = "SET", default_value = "auto")]
     pub(crate) arithmetic: Arithmetic,
 }
 
-/// Which instructions the linear algebra may use.
+/// Which instructions the search may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Arithmetic {
     /// The fastest this processor has
@@ -78,6 +78,16 @@ pub(crate) enum Arithmetic {
     Portable,
     /// Fused multiply-add; an error where the processor lacks it
     Fma,
+}
+
+impl From<Arithmetic> for plateau::Arithmetic {
+    fn from(choice: Arithmetic) -> Self {
+        match choice {
+            Arithmetic::Auto => Self::Auto,
+            Arithmetic::Portable => Self::Portable,
+            Arithmetic::Fma => Self::Fma,
+        }
+    }
 }
 
 /// A template's name; `patch` is another word for `tensor`.
@@ -110,6 +120,8 @@ pub(crate) enum Failure {
     Input,
     /// It ran, but something is not as it should be; already told on stderr: status 1.
     Result,
+    /// Ctrl-C: what was done is written; status 130.
+    Interrupted,
     /// The output could not be written.
     Output(io::Error),
 }

@@ -78,6 +78,9 @@ mod tests {
     #[test]
     fn file_names_are_plain_and_distinct() {
         let names = ["GT Dirichlet + PSO", "../../etc", "GT (Dirichlet) PSO", "∂∂", "…"];
-        assert_eq!(file_names(names.into_iter()), ["gt-dirichlet-pso", "etc", "gt-dirichlet-pso-2", "method", "method-2"]);
+        assert_eq!(
+            file_names(names.into_iter()),
+            ["gt-dirichlet-pso", "etc", "gt-dirichlet-pso-2", "method", "method-2"]
+        );
     }
 }

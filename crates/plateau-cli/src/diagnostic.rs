@@ -237,8 +237,8 @@ impl Refusal {
             report.push_str(&diagnostic.render(&renderer, &self.file, &self.text));
         }
         if self.omitted > 0 {
-            let files = format!("{} further errors in {} are not shown", self.omitted, self.file);
-            let note = [Level::NOTE.primary_title(files).elements(None::<Snippet<'_, Annotation<'_>>>)];
+            let more = format!("correct these first: {} or more further errors are not shown", self.omitted);
+            let note = [Level::NOTE.primary_title(more).elements(None::<Snippet<'_, Annotation<'_>>>)];
             report.push_str("\n\n");
             report.push_str(&renderer.render(&note));
         }

@@ -5,8 +5,9 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use command::{Arguments, Command, Failure, RunArguments, say};
+use command::{Arguments, Command, Failure, say};
 
+mod batch;
 mod command;
 
 fn main() -> ExitCode {
@@ -17,6 +18,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure::Input) => ExitCode::from(2),
         Err(Failure::Result) => ExitCode::from(1),
+        Err(Failure::Interrupted) => ExitCode::from(130),
         // Whoever closed our output (`| head -1`) has seen enough.
         Err(Failure::Output(error)) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(Failure::Output(error)) => {
@@ -28,19 +30,9 @@ fn main() -> ExitCode {
 
 fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
     match command {
-        Command::Run(arguments) => run(&arguments),
+        Command::Run(arguments) => batch::run(&arguments, stdout),
         Command::Check { files } => command::check(&files, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
         Command::Completions { shell } => command::completions(shell, stdout),
     }
-}
-
-fn run(arguments: &RunArguments) -> Result<(), Failure> {
-    let mut plans = command::read_plans(&arguments.files)?;
-    command::distinct_stems(&plans, &arguments.out)?;
-    for plan in &mut plans {
-        plan.seed = arguments.seed.unwrap_or(plan.seed);
-    }
-    say("error: this build cannot run experiments; `plateau check` validates them");
-    Err(Failure::Result)
 }

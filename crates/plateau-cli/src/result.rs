@@ -167,7 +167,10 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
 }
 
 fn rows(net: &Net) -> Vec<Vec<[f64; 3]>> {
-    net.points().chunks_exact(net.cols()).map(|row| row.iter().copied().map(<[f64; 3]>::from).collect()).collect()
+    net.points()
+        .chunks_exact(net.cols())
+        .map(|row| row.iter().copied().map(<[f64; 3]>::from).collect())
+        .collect()
 }
 
 fn search_entry(outcome: &SearchOutcome) -> SearchEntry {

@@ -2,7 +2,8 @@
 
 use crate::method::{self, Context};
 use crate::{
-    Arithmetic, Expected, Experiment, Figures, Method, MethodError, Plan, Progress, Published, Quantity, Solved,
+    Arithmetic, Expected, Experiment, Figures, Method, MethodError, Plan, Progress, Published, Quantity,
+    Solved,
 };
 
 /// Choices that are not part of the experiment.

@@ -276,11 +276,11 @@ fn curves() {
     assert_eq!((aht.basis, aht.dimension), (CurveBasis::Aht { span: 1.5 }, 3));
     assert_eq!(aht.samples, [0.0, 0.5, 1.0, 1.5]);
     let at = curve(
-        "title = \"x\"\n[curve]\nbasis = \"at\"\nspan = 6.28\n\
+        "title = \"x\"\n[curve]\nbasis = \"at\"\nspan = 6.25\n\
          points = [[0,0],[1,2],[3,2],[4,0],[5,0],[6,1]]\n",
     );
-    assert_eq!((at.basis, at.samples.len()), (CurveBasis::At { span: 6.28 }, 101));
-    assert_eq!((at.samples[0], at.samples[100]), (0.0, 6.28));
+    assert_eq!((at.basis, at.samples.len()), (CurveBasis::At { span: 6.25 }, 101));
+    assert_eq!((at.samples[0], at.samples[100]), (0.0, 6.25));
 }
 
 #[test]

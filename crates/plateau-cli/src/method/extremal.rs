@@ -8,7 +8,10 @@ use super::{MethodError, SolveFigures, extremal_energy, functional};
 use crate::Method;
 
 /// `patch` with its free control points at the extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
-pub(super) fn solve(patch: &TensorPatch, method: &Method) -> Result<(TensorPatch, SolveFigures), MethodError> {
+pub(super) fn solve(
+    patch: &TensorPatch,
+    method: &Method,
+) -> Result<(TensorPatch, SolveFigures), MethodError> {
     let energy = extremal_energy(method).ok_or(MethodError::Unavailable { what: "this construction" })?;
     let functional = functional(energy).ok_or(MethodError::Unavailable { what: "energy = \"area\"" })?;
     let net = patch.net();

@@ -171,7 +171,12 @@ fn from_descent(seed: u64, index: usize, polished: Polished) -> SearchRun {
 
 impl SearchRun {
     /// Descends from the best point; what the run ended with is then a stationary point, not a spent budget.
-    fn polish_with(&mut self, polish: &Polish, reduced: &Reduced, bounds: &Bounds) -> Result<(), MethodError> {
+    fn polish_with(
+        &mut self,
+        polish: &Polish,
+        reduced: &Reduced,
+        bounds: &Bounds,
+    ) -> Result<(), MethodError> {
         let polished = polish.run(reduced, bounds, &self.shape)?;
         self.evaluations += polished.evaluations as u64;
         self.value = polished.value;

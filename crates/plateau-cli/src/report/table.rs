@@ -64,7 +64,9 @@ fn notes(text: &mut String, method: &MethodResult) {
 
 fn row(method: &MethodResult) -> [String; 7] {
     let Ok(done) = &method.outcome else {
-        return [method.name.clone(), "failed".into()].into_iter().chain(std::iter::repeat_n(String::new(), 5))
+        return [method.name.clone(), "failed".into()]
+            .into_iter()
+            .chain(std::iter::repeat_n(String::new(), 5))
             .collect::<Vec<_>>()
             .try_into()
             .unwrap_or_default();

@@ -1,0 +1,33 @@
+# Recipes; `just` lists them. `just` itself: `cargo install just`, or from PyPI as `rust-just`.
+
+default:
+    @just --list
+
+# Run GT Example 5.1 and print its table.
+example:
+    cargo run --release -- run fixtures/gt-5.1.toml
+
+# All tests, as CI runs them.
+test:
+    cargo test --workspace --release
+
+# Everything CI checks.
+ci:
+    bash .ci/run
+
+# Criterion benchmarks; `just bench parametric` runs one group.
+bench *FILTER:
+    cargo bench -p plateau-benches -- {{FILTER}}
+
+# The same search by NumPy and pyswarms, timed in the same sitting.
+bench-peer:
+    cargo build --release -p plateau-benches --example search_time
+    python3 -m venv target/peer-venv
+    target/peer-venv/bin/pip install --quiet -r benches/peer/requirements.txt
+    target/peer-venv/bin/python benches/peer/compare.py target/release/examples/search_time
+
+# Format, lint, document.
+lint:
+    cargo fmt --all
+    cargo clippy --workspace --all-targets -- -D warnings
+    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
