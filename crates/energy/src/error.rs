@@ -10,4 +10,33 @@ pub enum EnergyError {
     /// The patch or its net is not what the energy is for.
     #[error(transparent)]
     Surface(#[from] surfaces::SurfaceError),
+    /// The chart is singular where the energy needs its normal or its metric.
+    #[error(
+        "the patch is singular at (u, v) = ({u}, {v}): x_u and x_v are parallel there (EG − F² = 0); \
+         separate coincident or collinear control points"
+    )]
+    Singular {
+        /// Parameter u.
+        u: f64,
+        /// Parameter v.
+        v: f64,
+    },
+    /// A metric is taken from a patch over another domain.
+    #[error("the metric must come from a patch over {expected:?}, got one over {found:?}")]
+    Domain {
+        /// The domain of the nets.
+        expected: surfaces::Domain,
+        /// The domain of the metric.
+        found: surfaces::Domain,
+    },
+    /// Sizes that belong together disagree.
+    #[error("{what}: expected {expected}, got {found}")]
+    Shape {
+        /// What is counted.
+        what: &'static str,
+        /// How many are needed.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
 }

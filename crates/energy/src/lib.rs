@@ -2,7 +2,8 @@
 //!
 //! Two kinds. A quadratic [`Functional`] (Dirichlet, Laplacian defect, bending, Coons) of a tensor patch is a
 //! [`QuadraticForm`] of its control net: a short sum of Kronecker products of one-dimensional Gram matrices, with value,
-//! gradient and matrix; [`ShapeForm`] holds it for all GT shapes at once. The area is not
+//! gradient and matrix; [`ShapeForm`] holds it for all GT shapes at once. Those of
+//! triangular patches, and the metric Dirichlet energy of any patch ([`MetricForm`]), are a [`DenseForm`]. The area is not
 //! quadratic: [`area()`] integrates it until it has settled and says how far to trust it, [`area_with_gradient`] differentiates it.
 //!
 //! Always area ≤ Dirichlet energy, with equality exactly for conformal charts.
@@ -20,17 +21,29 @@
 //! ```
 
 mod area;
+mod area_hessian;
 mod bending;
 mod coons;
+mod dense;
 mod dirichlet;
 mod error;
 mod functional;
 mod laplacian;
+mod product;
 mod quadratic;
 mod shape;
+mod tangent;
+mod triangle;
+mod triangle_area;
+mod weighted;
 
 pub use area::{AREA_TOLERANCE, Integral, area, area_with_gradient, integrate};
+pub use area_hessian::AreaExpansion;
+pub use dense::DenseForm;
 pub use error::EnergyError;
 pub use functional::{DensityTerm, Functional};
 pub use quadratic::{KroneckerTerm, QuadraticForm};
 pub use shape::{GramPolynomial, ShapeForm, ShapeTerm, ShapedPatch};
+pub use tangent::TangentSamples;
+pub use triangle_area::triangle_area_with_gradient;
+pub use weighted::{METRIC_TOLERANCE, MetricForm};
