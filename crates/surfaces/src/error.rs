@@ -81,6 +81,72 @@ pub enum SurfaceError {
         /// Position in the list of points.
         index: usize,
     },
+    /// A curve has another number of control points than its family has functions.
+    #[error("a curve in this basis needs {expected} control points, got {found}")]
+    PolygonLength {
+        /// Functions of the family.
+        expected: usize,
+        /// Points found.
+        found: usize,
+    },
+    /// A parameter interval is empty, reversed or not finite.
+    #[error("the {name} interval from {start} to {end} must be finite and of positive length")]
+    Interval {
+        /// Name of the parameter.
+        name: &'static str,
+        /// Start of the interval.
+        start: f64,
+        /// End of the interval.
+        end: f64,
+    },
+    /// The weights of a generalized helicoid are both zero or not finite.
+    #[error("helicoid weights a = {a}, b = {b} must be finite and not both 0")]
+    Weights {
+        /// Weight of the right helicoid.
+        a: f64,
+        /// Weight of the catenoid.
+        b: f64,
+    },
+    /// A parameter interval would need too many patches.
+    #[error("the {name} interval of length {span} would need more than {max} patches; shorten it")]
+    TooManyPieces {
+        /// Name of the parameter.
+        name: &'static str,
+        /// Length of the interval.
+        span: f64,
+        /// Most patches in one direction.
+        max: usize,
+    },
+    /// A side of a trapezium is not finite over its whole length.
+    #[error("side {side} of the trapezium, γ = {gamma}, β = {beta}, is not finite over the whole span")]
+    Side {
+        /// 0 for the side at u = 0, 1 for the other.
+        side: usize,
+        /// Offset.
+        gamma: f64,
+        /// Slope.
+        beta: f64,
+    },
+    /// The two sides of a trapezium cross, or are the same.
+    #[error("the two sides of the trapezium meet at v = {v}; they may meet at one end only")]
+    Crossing {
+        /// Where they meet.
+        v: f64,
+    },
+    /// A blend of several products of families has no subdivision on one net.
+    #[error("only a patch with one product of families can be subdivided, this one has {found}")]
+    SeveralProducts {
+        /// Products of the patch.
+        found: usize,
+    },
+    /// More halvings of a curve than are offered.
+    #[error("{levels} levels of subdivision asked for, at most {max} are offered")]
+    Levels {
+        /// Levels asked for.
+        levels: u32,
+        /// Most levels.
+        max: u32,
+    },
     /// The families of the patch could not be made.
     #[error(transparent)]
     Basis(#[from] bases::BasisError),

@@ -6,6 +6,10 @@
 //! normal, mean and Gauss curvature; and a triangle [`Mesh`] with these at its vertices. Interiors of nets come from
 //! their boundary by [`discrete_coons()`] and by masks ([`TriangleMask`], [`rectangular_mask()`]), or from an energy.
 //!
+//! Minimal surfaces with exact nets: the [`Helicoid`] family from right helicoid to catenoid, its [`Deformation`], and
+//! the [`TrapeziumHelicoid`]; beyond the span one patch can hold they come in [`Pieces`] that meet exactly. A [`Curve`] has
+//! a curvature; curves and tensor patches are cut by subdivision.
+//!
 //! ```
 //! use surfaces::{Mesh, Net, Patch, Point, TensorPatch};
 //!
@@ -20,30 +24,41 @@
 //! # Ok::<(), surfaces::SurfaceError>(())
 //! ```
 
+mod curve;
+mod deformation;
 mod discrete_coons;
 mod error;
+mod helicoid;
 mod jet;
 mod mask;
 mod mesh;
 mod net;
 mod patch;
+mod pieces;
 mod point;
+mod subdivision;
 mod tb_coons;
 mod tensor;
+mod trapezium;
 mod triangle;
 mod triangle_basis;
 mod triangle_net;
 
+pub use curve::{Curve, CurveJet};
+pub use deformation::{Deformation, DeformationPath};
 pub use discrete_coons::{discrete_coons, discrete_coons_triangle};
 pub use error::SurfaceError;
+pub use helicoid::Helicoid;
 pub use jet::{FirstForm, Jet, SecondForm};
 pub use mask::{COONS_CORNER_WEIGHT, MaskSystem, TriangleMask, rectangular_mask};
 pub use mesh::Mesh;
 pub use net::Net;
 pub use patch::{Domain, Patch};
+pub use pieces::Pieces;
 pub use point::Point;
 pub use tb_coons::{bernstein_less_blend, end_blend, tb_coons};
 pub use tensor::{Product, TensorPatch};
+pub use trapezium::TrapeziumHelicoid;
 pub use triangle::TrianglePatch;
 pub use triangle_basis::TriangleBasis;
 pub use triangle_net::TriangleNet;

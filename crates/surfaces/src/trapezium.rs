@@ -1,0 +1,147 @@
+//! Right helicoids over a trapezium (AT §3–4).
+
+use std::sync::Arc;
+
+use bases::{At, Bernstein};
+
+use crate::helicoid::largest_distance;
+use crate::pieces::equal_cuts;
+use crate::{Curve, CurveJet, Domain, Jet, Net, Patch, Pieces, Point, Product, SurfaceError, TensorPatch};
+
+/// The right helicoid `(w cos v, w sin v, v)` over the trapezium `0 ≤ v ≤ span`, `γ₀ + β₀v ≤ w ≤ γ₁ + β₁v` (AT §3),
+/// with `w = (1 − u)(γ₀ + β₀v) + u(γ₁ + β₁v)`, u ∈ [0, 1].
+///
+/// As a [`Patch`] it is this closed form; [`Self::patch`] and [`Self::pieces`] are the same surface from control points,
+/// degree 1 in u ⊗ AT in v. Not isothermal in (u, v): a minimal surface, but no minimum of the Dirichlet energy.
+///
+/// ```
+/// use surfaces::{Patch, TrapeziumHelicoid};
+/// let helicoid = TrapeziumHelicoid::new(3.9, [6.2, 12.5], [1.0, 0.5])?;
+/// let patch = helicoid.patch()?;
+/// assert!(patch.point(0.5, 2.0).distance(helicoid.point(0.5, 2.0)) < 1e-13);
+/// # Ok::<(), surfaces::SurfaceError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrapeziumHelicoid {
+    span: f64,
+    /// (γ, β) of the two sides.
+    sides: [[f64; 2]; 2],
+}
+
+impl TrapeziumHelicoid {
+    /// Largest span of one piece: 0.9 · 2π, see [`crate::Helicoid::LARGEST_PIECE`].
+    pub const LARGEST_PIECE: f64 = 0.9 * At::SUPREMUM;
+
+    /// The helicoid over the trapezium with offsets `gamma` = (γ₀, γ₁) and slopes `beta` = (β₀, β₁).
+    ///
+    /// # Errors
+    /// [`SurfaceError::Interval`] for a span that is not positive and finite, [`SurfaceError::Side`] for an offset or slope
+    /// that is not finite, [`SurfaceError::Crossing`] if the sides meet anywhere but at one end.
+    pub fn new(span: f64, gamma: [f64; 2], beta: [f64; 2]) -> Result<Self, SurfaceError> {
+        if !(span > 0.0 && span.is_finite()) {
+            return Err(SurfaceError::Interval { name: "v", start: 0.0, end: span });
+        }
+        for side in 0..2 {
+            let (gamma, beta) = (gamma[side], beta[side]);
+            if !(gamma + beta * span).is_finite() {
+                return Err(SurfaceError::Side { side, gamma, beta });
+            }
+        }
+        let (start, slope) = (gamma[1] - gamma[0], beta[1] - beta[0]);
+        let end = start + slope * span;
+        let crossed = (start < 0.0 && end > 0.0) || (start > 0.0 && end < 0.0);
+        if crossed || (start == 0.0 && end == 0.0) {
+            let v = if slope == 0.0 { 0.0 } else { -start / slope };
+            return Err(SurfaceError::Crossing { v });
+        }
+        Ok(Self { span, sides: [[gamma[0], beta[0]], [gamma[1], beta[1]]] })
+    }
+
+    /// The helicoid as one patch, degree 1 ⊗ AT, on its 2 × 6 net, all points fixed. Row i has x, y from
+    /// `γ_i · (net of the circle) + β_i · (net of Archimedes' spiral)`, z from the net of v, not multiplied by β_i as AT (0.4)
+    /// prints: that is right for β_i = 1 only.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Basis`] if the span reaches 2π (take [`Self::pieces`]); [`SurfaceError::NotFinite`] on overflow.
+    pub fn patch(&self) -> Result<TensorPatch, SurfaceError> {
+        self.piece(0.0, self.span)
+    }
+
+    /// The helicoid in the least number of equal patches with spans up to [`Self::LARGEST_PIECE`].
+    ///
+    /// # Errors
+    /// [`SurfaceError::TooManyPieces`] beyond [`Pieces::MAX_PIECES`]; [`SurfaceError::NotFinite`] on overflow.
+    pub fn pieces(&self) -> Result<Pieces, SurfaceError> {
+        let cuts = equal_cuts("v", (0.0, self.span), Self::LARGEST_PIECE)?;
+        Pieces::new(vec![0.0, 1.0], cuts.clone(), |_, j| self.piece(cuts[j], cuts[j + 1]))
+    }
+
+    /// The largest distance between `patch` (with these parameters) and this surface on a grid of `subdivisions` steps in
+    /// each parameter.
+    pub fn deviation(&self, patch: &dyn Patch, subdivisions: usize) -> f64 {
+        largest_distance(self, patch, subdivisions)
+    }
+
+    /// The net of [`Self::patch`] by the construction of AT Theorems 1–3: tangents from right-angle rotations in the
+    /// plane z = 0, control points along them, then each lifted to its height. Equal to the net of the patch up
+    /// to rounding.
+    ///
+    /// The theorems have β = 1; for other slopes the segment O₁P₁ has length |β|, O₂P₂ length 2|β|. The direction of OP is
+    /// that of the ruling, so that it exists at the axis too.
+    ///
+    /// # Errors
+    /// As for [`Self::patch`].
+    pub fn constructed_net(&self) -> Result<Net, SurfaceError> {
+        let basis = At::new(self.span)?;
+        let [delta, m, epsilon] = basis.endpoint_rule();
+        let heights = basis.control_values([[0.0, 1.0, 0.0], [self.span, 1.0, 0.0]]);
+        let mut points = Vec::with_capacity(12);
+        for [gamma, beta] in self.sides {
+            let tangents = |v: f64| {
+                let ruling = Point::new(libm::cos(v), libm::sin(v), 0.0);
+                let p = ruling * (gamma + beta * v);
+                // Theorem 1: PO turned clockwise ends in O₁; P₁ = O₁ + β along OP; O₂ = −P; P₂ = O₂ + 2β along PO₁.
+                let o1 = p + clockwise(-p);
+                let p1 = o1 + ruling * beta;
+                let p2 = -p + clockwise(-ruling) * (2.0 * beta);
+                (p, p1 - p, p2)
+            };
+            let ((start, t1, t2), (end, s1, s2)) = (tangents(0.0), tangents(self.span));
+            // Theorem 2. Q₁T³ is M − δ times the tangent.
+            let (q1, q4) = (start + t1 * delta, end - s1 * delta);
+            let (t3, s3) = (q1 + t1 * (m - delta), q4 - s1 * (m - delta));
+            let flat = [start, q1, t3 + t2 * epsilon, s3 + s2 * epsilon, q4, end];
+            // Theorem 3.
+            points.extend(flat.iter().zip(heights).map(|(q, z)| Point::new(q.x, q.y, z)));
+        }
+        Net::new(2, 6, points)
+    }
+
+    fn piece(&self, start: f64, end: f64) -> Result<TensorPatch, SurfaceError> {
+        let basis = At::new(end - start)?;
+        let rows = self
+            .sides
+            .map(|side| Curve::at_between(&basis, [start, end], |v| CurveJet::on_spiral(side, 1.0, v)));
+        let product = Product { u: Arc::new(Bernstein::new(1)?), v: Arc::new(basis) };
+        TensorPatch::new(vec![product], Net::new(2, 6, rows.concat())?)
+    }
+}
+
+/// A vector of the plane turned by a right angle, clockwise.
+fn clockwise(p: Point) -> Point {
+    Point::new(p.y, -p.x, p.z)
+}
+
+impl Patch for TrapeziumHelicoid {
+    fn domain(&self) -> Domain {
+        Domain::Rectangle { u: (0.0, 1.0), v: (0.0, self.span) }
+    }
+
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        let [[g0, b0], [g1, b1]] = self.sides;
+        // On a line u = constant the surface is a spiral; it is linear in u.
+        let along = CurveJet::on_spiral([g0 + (g1 - g0) * u, b0 + (b1 - b0) * u], 1.0, v);
+        let across = CurveJet::on_spiral([g1 - g0, b1 - b0], 0.0, v);
+        Jet { point: along.point, u: across.point, v: along.d1, uu: Point::ZERO, uv: across.d1, vv: along.d2 }
+    }
+}
