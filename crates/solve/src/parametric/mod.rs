@@ -167,17 +167,12 @@ impl Parametric {
 
     /// J at one point, with the bits of [`values`](Self::values); NaN as there, and if there is no memory.
     pub fn value(&self, point: &[f64; 4]) -> f64 {
-        let mut out = [0.0];
-        let mut workspace = WORKSPACE.take();
+        let mut out = [f64::NAN];
         let points = std::slice::from_ref(point);
-        self.engine.run_one(Values {
-            tables: &self.tables,
-            points,
-            out: &mut out,
-            workspace: &mut workspace,
+        let run = self.with_workspace(|workspace| {
+            self.engine.run_one(Values { tables: &self.tables, points, out: &mut out, workspace });
         });
-        WORKSPACE.set(workspace);
-        out[0]
+        run.map_or(f64::NAN, |()| out[0])
     }
 
     /// J and its gradient by (α₁, α₂, β₁, β₂), from the one minimiser: at a minimum `∂J = Σ_d X_dᵀ (∂Q) X_d`.
