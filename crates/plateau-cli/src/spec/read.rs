@@ -52,18 +52,13 @@ pub(crate) fn read(text: &str) -> Reading {
         return reading;
     }
     loop {
-        // Reading consumes the document; parsing again on an error costs less memory than a copy each time.
-        let error = match Spec::deserialize(Deserializer::from(document)) {
+        let error = match Spec::deserialize(Deserializer::from(document.clone())) {
             Ok(spec) => {
                 reading.spec = Some(spec);
                 return reading;
             }
             Err(error) => error,
         };
-        document = DeTable::parse_recoverable(text).0;
-        for path in &reading.removed {
-            remove(document.get_mut(), path);
-        }
         let span = error.span().unwrap_or(0..0);
         let Some(path) = locate(document.get_ref(), &span) else {
             reading.diagnostics.push(structure(text, &error, span, None));
