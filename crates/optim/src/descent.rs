@@ -15,8 +15,8 @@ const SUFFICIENT: f64 = 1e-4;
 const STEEP: f64 = 0.9;
 /// Decreases below this, relative to the value, cannot be told from rounding.
 const NOISE: f64 = 16.0 * f64::EPSILON;
-/// Within this, relative to the value, a step is judged by the gradient alone, which still points
-/// the way where cancellation within the objective blurs the value.
+/// Within this, relative to the value or to that of the start, a step is judged by the gradient
+/// alone, which still points the way where cancellation within the objective blurs the value.
 const BLUR: f64 = 1e-12;
 /// Blurred steps in a row that need not halve the residual.
 const PATIENCE: usize = 4;
@@ -308,7 +308,7 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
     /// own error.
     fn is_blurred(&self) -> bool {
         let (before, after) = (self.at.value, self.trial.value);
-        let blur = BLUR * before.abs();
+        let blur = BLUR * before.abs().max(self.ceiling.abs());
         (before - after).abs() <= blur && after - self.lowest <= blur && after <= self.ceiling
     }
 

@@ -13,9 +13,11 @@ use crate::stream::{Purpose, Source};
 ///
 /// Each iteration minimises the model `gᵀd + ½ dᵀB d` over the whole box (so it meets and leaves
 /// bounds many at a time) and searches along `d` for sufficient decrease; B is updated by BFGS from
-/// pairs of positive curvature. Where the value is flat in rounding, a step counts if it halves the
-/// residual. All norms are relative to the box, so the result does not depend on the units of the
-/// components.
+/// pairs of positive curvature. Where the value changes by less than 1e-12 of its own or the start's
+/// magnitude it may be blurred by rounding; there, steps are judged by the gradient, and of the points
+/// reached the one of least residual is reported. All norms are relative to the box, so the result
+/// does not depend on the units of the components. A stationary point need not be a minimum, nor a
+/// minimum the lowest one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polish {
     /// Stationary means: residual ≤ `tolerance × |value|`, the residual being the largest
