@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use bases::{Aht, At, Basis, BasisError, Bernstein, Gt, Matrix};
+use bases::{Aht, At, Basis, BasisError, Bernstein, Gt, Matrix, Samples, gram};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -365,6 +365,23 @@ fn the_bounds_are_sharp() {
     assert!(middle(Family::Aht, 1.25 * TAU * (1.0 - 1e-9), 2) < 0.0);
     let root = |a: f64| a.cos() * a.cosh() - 1.0;
     assert!(root(Aht::SUPREMUM - 1e-12) * root(Aht::SUPREMUM + 1e-12) < 0.0);
+}
+
+#[test]
+fn the_usual_gauss_rule_integrates_them_at_every_span() {
+    for family in [Family::Aht, Family::At] {
+        for part in [1e-6, 0.3, 0.9, 0.9999] {
+            let basis = family.on(part * family.bound());
+            for r in 0..=2 {
+                let ours = gram(basis.as_ref(), r, r).unwrap();
+                let finer = Samples::new(basis.as_ref(), 120, r).unwrap();
+                let finer = finer.gram(r, &finer, r);
+                for (a, b) in ours.as_slice().iter().zip(finer.as_slice()) {
+                    assert!((a - b).abs() <= 1e-14 * ours.max_abs(), "{family:?} {part}, order {r}: {a} {b}");
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -11,7 +11,7 @@ pub enum DeformationPath {
     Linear,
     /// `(cos(λπ/2), sin(λπ/2))`: an isometric bending, the metric `cosh² u (du² + dv²)` is constant. (AHT Fig. 5 prints 2/π.)
     Trigonometric,
-    /// The outer Bernstein polynomials `((1 − λ)ⁿ, λⁿ)`; n ≥ 1, else a = b = 1 throughout.
+    /// The outer Bernstein polynomials `((1 − λ)ⁿ, λⁿ)`, n ≥ 1.
     Bernstein {
         /// The degree n.
         degree: u32,
@@ -53,8 +53,12 @@ impl Deformation {
     /// The deformation along `path`; spans beyond [`Helicoid::LARGEST_PIECE`] are cut into pieces.
     ///
     /// # Errors
-    /// As for [`Helicoid::new`] and [`Helicoid::pieces`].
+    /// As for [`Helicoid::new`] and [`Helicoid::pieces`]; [`SurfaceError::Basis`] for a Bernstein path of degree 0.
     pub fn new(path: DeformationPath, u_span: f64, v_span: f64) -> Result<Self, SurfaceError> {
+        if path == (DeformationPath::Bernstein { degree: 0 }) {
+            let max = bases::Bernstein::MAX_DEGREE;
+            return Err(bases::BasisError::Degree { family: "Bernstein", degree: 0, min: 1, max }.into());
+        }
         let end = |a: f64, b: f64| Helicoid::new(a, b, u_span, v_span)?.pieces();
         Ok(Self { path, spans: [u_span, v_span], helicoid: end(1.0, 0.0)?, catenoid: end(0.0, 1.0)? })
     }
@@ -76,9 +80,10 @@ impl Deformation {
     /// The surface at λ, its nets interpolated between those of helicoid and catenoid.
     ///
     /// # Errors
-    /// [`SurfaceError::NotFinite`] if λ is not a finite number.
+    /// [`SurfaceError::Weights`] if (a, b) is not finite or vanishes (λⁿ may underflow), [`SurfaceError::NotFinite`] on
+    /// overflow.
     pub fn surface(&self, lambda: f64) -> Result<Pieces, SurfaceError> {
-        let [a, b] = self.path.weights(lambda);
+        let [a, b] = self.closed_form(lambda)?.weights();
         self.helicoid.combined(a, &self.catenoid, b)
     }
 

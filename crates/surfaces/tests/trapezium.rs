@@ -48,6 +48,11 @@ proptest! {
                 .map(|(x, y)| (patch.jet(x, y * span), exact.jet(x, y * span))).collect::<Vec<_>>()
         }) {
             let w = exact.area_density();
+            for (a, b, order) in [(ours.u, exact.u, 0), (ours.v, exact.v, 1), (ours.uv, exact.uv, 1), (ours.vv, exact.vv, 2)] {
+                let scale = 1e-12 * (b.norm() + exact.v.norm()) + 64.0 * U * reach * (4.0 / span).powi(order);
+                prop_assert!(a.distance(b) <= scale, "{a:?} {b:?}");
+            }
+            prop_assert_eq!(ours.uu, Point::ZERO);
             // The terms of H, each with the error its derivatives carry.
             let (e, g) = (exact.u.norm(), exact.v.norm());
             let terms = g * g * exact.uu.norm() + e * g * exact.uv.norm() + e * e * exact.vv.norm();
