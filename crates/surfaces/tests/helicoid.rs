@@ -220,8 +220,12 @@ fn a_deformation_starts_at_the_helicoid_and_ends_at_the_catenoid() {
         let frames: Vec<Pieces> =
             Deformation::new(path, 1.5, 20.0).unwrap().frames(3).collect::<Result<_, _>>().unwrap();
         assert_eq!(frames.len(), 3);
+        let two: Vec<Pieces> =
+            Deformation::new(path, 1.5, 20.0).unwrap().frames(2).collect::<Result<_, _>>().unwrap();
         let net = |p: &Pieces| p.patches().iter().map(|p| p.net().clone()).collect::<Vec<_>>();
-        for (frame, a, b) in [(&frames[0], 1.0, 0.0), (&frames[2], 0.0, 1.0)] {
+        for (frame, a, b) in
+            [(&frames[0], 1.0, 0.0), (&frames[2], 0.0, 1.0), (&two[0], 1.0, 0.0), (&two[1], 0.0, 1.0)]
+        {
             assert_eq!(net(frame), net(&Helicoid::new(a, b, 1.5, 20.0).unwrap().pieces().unwrap()));
         }
     }

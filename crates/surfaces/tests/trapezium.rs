@@ -179,6 +179,7 @@ fn bad_trapeziums_are_errors() {
     assert!(matches!(make(1.0, [0.0, f64::NAN], [0.0, 0.0]), Err(SurfaceError::Side { side: 1, .. })));
     assert!(matches!(make(1.0, [f64::INFINITY, 0.0], [0.0, 0.0]), Err(SurfaceError::Side { side: 0, .. })));
     assert_eq!(make(2.0, [0.0, 1.0], [1.0, 0.0]), Err(SurfaceError::Crossing { v: 1.0 }));
+    assert_eq!(make(2.0, [1.0, 0.5], [0.0, 0.5]), Err(SurfaceError::Crossing { v: 1.0 }));
     assert!(matches!(make(2.0, [1.0, 1.0], [1.0, 1.0]), Err(SurfaceError::Crossing { .. })));
     // A triangle is a trapezium with one side of length 0.
     assert_eq!(make(2.0, [0.0, 2.0], [1.0, 0.0]), Ok(()));
