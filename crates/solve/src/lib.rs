@@ -41,22 +41,23 @@
 mod check;
 mod condition;
 mod dense;
+mod eigen;
 mod error;
 mod memory;
 mod parametric;
 mod partition;
+mod rank;
 mod scale;
 mod separable;
 mod sparse;
 mod system;
 
-pub use dense::{
-    Cholesky, Lu, RankSolution, SymmetricEigen, eigen_symmetric, smallest_eigenvalue, solve_general,
-    solve_partitioned, solve_rank, solve_spd,
-};
+pub use dense::{Cholesky, Lu, solve_general, solve_partitioned, solve_spd};
+pub use eigen::{SymmetricEigen, eigen_symmetric, smallest_eigenvalue};
 pub use error::{Place, SolveError};
 pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};
 pub use partition::Partition;
+pub use rank::{RankSolution, solve_rank};
 pub use separable::{AffineSamples, Samples, Separable, SeparableParametric, SeparableSolution};
 pub use sparse::{SparseCholesky, SparseLu, Triplet, solve_sparse, solve_sparse_spd};
 pub use system::Solution;

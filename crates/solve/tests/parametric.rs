@@ -139,6 +139,59 @@ fn an_indefinite_form_has_no_minimum() {
 }
 
 #[test]
+fn a_pivot_of_rounding_noise_is_no_pivot() {
+    // (0.1, 0.3) is a third of (0.3, 0.9) and rounds so: the second pivot is noise, of either sign.
+    for row in [[0.1, 0.3], [0.7, 0.1], [0.3, 0.7], [1.1, 0.9], [0.9, 1.3]] {
+        let dyadic = row.iter().flat_map(|a| row.iter().map(move |b| a * b)).collect();
+        let zero = vec![0.0; 4];
+        let rest = [zero.clone(), zero.clone(), zero.clone(), zero.clone(), zero];
+        let [r1, r2, r3, r4, r5] = rest;
+        let problem = ParametricProblem {
+            left: vec![PolynomialMatrix { rows: 2, cols: 2, coefficients: [dyadic, r1, r2, r3, r4, r5] }],
+            right: vec![PolynomialMatrix {
+                rows: 1,
+                cols: 1,
+                coefficients: [vec![1.0], vec![0.0], vec![0.0], vec![0.0], vec![0.0], vec![0.0]],
+            }],
+            terms: vec![Term { coefficient: 1.0, left: 0, right: 0 }],
+            free_left: vec![0, 1],
+            free_right: vec![0],
+            values: vec![0.0; 6],
+        };
+        for path in paths() {
+            let parametric = Parametric::new(&problem).unwrap().with_path(path).unwrap();
+            assert!(parametric.value(&[1.0; 4]).is_nan(), "{row:?} {path}");
+        }
+        let solved = Parametric::new(&problem).unwrap().solve(&[1.0; 4]);
+        assert!(matches!(solved, Err(SolveError::NotPositiveDefinite { .. })));
+    }
+}
+
+#[test]
+fn overflow_is_not_a_value() {
+    // A single fixed point with Q = α₁: J = 3 α₁ · 10³⁰⁰ overflows to infinity, not to NaN by itself.
+    let polynomial = |at: usize| PolynomialMatrix {
+        rows: 1,
+        cols: 1,
+        coefficients: std::array::from_fn(|m| vec![if m == at { 1.0 } else { 0.0 }]),
+    };
+    let parametric = Parametric::new(&ParametricProblem {
+        left: vec![polynomial(1)],
+        right: vec![polynomial(0)],
+        terms: vec![Term { coefficient: 1.0, left: 0, right: 0 }],
+        free_left: vec![],
+        free_right: vec![],
+        values: vec![1e150; 3],
+    })
+    .unwrap();
+    for path in paths() {
+        let parametric = parametric.clone().with_path(path).unwrap();
+        assert!((parametric.value(&[1.0, 0.0, 0.0, 0.0]) - 3e300).abs() < 1e286);
+        assert!(parametric.value(&[1e10, 0.0, 0.0, 0.0]).is_nan());
+    }
+}
+
+#[test]
 fn without_free_unknowns_the_value_is_the_energy_of_the_net() {
     let mut random = Random(9);
     let mut problem = gt_dirichlet([3, 2], smooth_net(&mut random, [3, 2]));

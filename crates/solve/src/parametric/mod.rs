@@ -1,3 +1,4 @@
+mod factor;
 mod lanes;
 mod path;
 mod table;
