@@ -62,6 +62,8 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     condition: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    basis_condition: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     search: Option<SearchEntry>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
@@ -79,6 +81,7 @@ struct MeanCurvature {
 struct SearchEntry {
     evaluations: u64,
     nan_evaluations: u64,
+    engine: &'static str,
     arithmetic: &'static str,
     minimum: f64,
     runs: Vec<RunEntry>,
@@ -161,6 +164,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         solver: solve.map(|s| s.solver),
         residual: solve.and_then(|s| finite(s.residual)),
         condition: solve.and_then(|s| finite(s.condition)),
+        basis_condition: solve.and_then(|s| s.basis_condition).and_then(finite),
         search: done.solved.search.as_ref().map(search_entry),
         warnings: done.warnings.clone(),
     }))
@@ -177,6 +181,7 @@ fn search_entry(outcome: &SearchOutcome) -> SearchEntry {
     SearchEntry {
         evaluations: outcome.evaluations,
         nan_evaluations: outcome.nan_evaluations,
+        engine: outcome.engine,
         arithmetic: outcome.arithmetic,
         minimum: outcome.minimum,
         runs: outcome.runs.iter().map(run_entry).collect(),

@@ -75,7 +75,7 @@ fn the_tensor_example() {
     let dirichlet = Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 0 };
     let [gt, bernstein] = patches.methods.as_slice() else { panic!("{:?}", patches.methods) };
     assert_eq!((gt.name.as_str(), gt.patch, gt.basis), ("GT Dirichlet + PSO", Patch::Tensor, Basis::Gt));
-    assert_eq!((gt.shape, gt.interior), (Shape::Search(SearchMode::Pso), dirichlet));
+    assert_eq!((gt.shape, gt.interior), (Shape::Search(SearchMode::PsoPolish), dirichlet));
     assert_eq!((gt.search_energy, gt.raise, gt.solver), (Energy::Dirichlet, 0, SolverChoice::Auto));
     assert_eq!((bernstein.basis, bernstein.shape), (Basis::Bernstein, Shape::None));
     assert!(gt.expect.is_empty() && gt.published.is_empty());
@@ -97,7 +97,7 @@ fn degrees_follow_the_lengths_of_rows_and_columns() {
 #[test]
 fn every_way_to_say_search_and_shape() {
     for (line, shape) in [
-        ("search = true", Shape::Search(SearchMode::Pso)),
+        ("search = true", Shape::Search(SearchMode::PsoPolish)),
         ("search = \"pso\"", Shape::Search(SearchMode::Pso)),
         ("search = \"polish\"", Shape::Search(SearchMode::Polish)),
         ("search = \"pso-polish\"", Shape::Search(SearchMode::PsoPolish)),

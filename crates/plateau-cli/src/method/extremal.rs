@@ -1,11 +1,12 @@
 //! The extremal of a quadratic energy with the boundary net fixed.
 
+use bases::Basis;
 use energy::QuadraticForm;
-use solve::{Partition, solve_partitioned};
-use surfaces::TensorPatch;
+use solve::{Partition, Samples, Separable, solve_partitioned};
+use surfaces::{Product, TensorPatch};
 
-use super::{MethodError, SolveFigures, extremal_energy, functional};
-use crate::Method;
+use super::{MethodError, SolveFigures, extremal_energy, functional, prefers_separable};
+use crate::{Energy, Method, SolverChoice};
 
 /// `patch` with its free control points at the extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
 pub(super) fn solve(
@@ -15,10 +16,51 @@ pub(super) fn solve(
     let energy = extremal_energy(method).ok_or(MethodError::Unavailable { what: "this construction" })?;
     let functional = functional(energy).ok_or(MethodError::Unavailable { what: "energy = \"area\"" })?;
     let net = patch.net();
+    if let (Energy::Dirichlet, [product]) = (energy, patch.products()) {
+        let chosen = match method.solver {
+            SolverChoice::Auto => prefers_separable(net),
+            choice => choice == SolverChoice::Separable,
+        };
+        if chosen {
+            return by_separation(patch, product);
+        }
+    }
     let matrix = QuadraticForm::of(functional, patch)?.matrix();
     let partition = Partition::new(net.fixed());
     let solution = solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())?;
-    let figures =
-        SolveFigures { solver: "dense", residual: solution.residual, condition: solution.condition };
+    let figures = SolveFigures {
+        solver: "dense",
+        residual: solution.residual,
+        condition: solution.condition,
+        basis_condition: None,
+    };
     Ok((patch.with_net(net.with_coordinates(&solution.x)?)?, figures))
+}
+
+/// The Dirichlet extremal of one product of families, both directions diagonalised.
+fn by_separation(patch: &TensorPatch, product: &Product) -> Result<(TensorPatch, SolveFigures), MethodError> {
+    let net = patch.net();
+    let (m, n) = net.degrees();
+    let interior = |degree: usize| (1..degree).collect::<Vec<_>>();
+    let (u, v) = (samples(product.u.as_ref())?, samples(product.v.as_ref())?);
+    let solution = Separable::new(&u, &v, &interior(m), &interior(n))?.solve(&net.coordinates())?;
+    let figures = SolveFigures {
+        solver: "separable",
+        residual: solution.residual,
+        condition: solution.condition,
+        basis_condition: Some(solution.basis_condition),
+    };
+    Ok((patch.with_net(net.with_coordinates(&solution.x)?)?, figures))
+}
+
+fn samples(basis: &dyn Basis) -> Result<Samples, MethodError> {
+    let functions = basis.count();
+    let samples = bases::Samples::new(basis, bases::Samples::points_for(functions), 1)?;
+    Ok(Samples {
+        points: samples.nodes().len(),
+        functions,
+        weights: samples.weights().to_vec(),
+        values: samples.order(0).as_slice().to_vec(),
+        derivatives: samples.order(1).as_slice().to_vec(),
+    })
 }

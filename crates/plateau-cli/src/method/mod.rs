@@ -2,6 +2,7 @@
 
 mod error;
 mod extremal;
+mod reduced;
 mod search;
 
 use surfaces::{Mesh, Net, Patch as SurfacePatch, Point, TensorPatch, tb_coons};
@@ -31,8 +32,11 @@ pub struct SolveFigures {
     pub solver: &'static str,
     /// Residual as LAPACK's tests scale it: about 1 is rounding, above 30 a failure.
     pub residual: f64,
-    /// Estimate of the condition number of the system.
+    /// Estimate of the condition number of the system that was solved.
     pub condition: f64,
+    /// For the separable solver: what the control points may lose besides, the surface not (the condition of the two
+    /// families of functions).
+    pub basis_condition: Option<f64>,
 }
 
 /// A patch of any kind.
@@ -110,6 +114,15 @@ fn functional(energy: Energy) -> Option<energy::Functional> {
         Energy::Coons => Some(energy::Functional::Coons),
         Energy::Area => None,
     }
+}
+
+/// Degree from which the separable solver is both faster than a dense one and more accurate.
+const SEPARABLE_FROM: usize = 7;
+
+/// Whether the automatic choice is the separable solver, where it applies.
+fn prefers_separable(net: &Net) -> bool {
+    let (m, n) = net.degrees();
+    m.max(n) >= SEPARABLE_FROM
 }
 
 /// The energy whose extremal a method's interior is; none for constructions.

@@ -2,13 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use energy::{ShapeForm, ShapedPatch};
-use optim::{Bounds, Objective, Observer, Polish, Polished, Pso, Reason, Smooth, Topology};
-use solve::{Parametric, ParametricProblem, Path, PolynomialMatrix, Term};
+use optim::{Bounds, Observer, Polish, Polished, Pso, Reason, Topology};
 use surfaces::Net;
 
-use super::{Context, MethodError, extremal_energy, functional};
-use crate::{Arithmetic, Method, Patch, Progress, SearchMode, Variant};
+use super::reduced::Reduced;
+use super::{Context, MethodError};
+use crate::{Method, Progress, SearchMode, Variant};
 
 /// What a search found.
 #[derive(Debug, Clone)]
@@ -22,6 +21,8 @@ pub struct SearchOutcome {
     pub evaluations: u64,
     /// How many of them failed.
     pub nan_evaluations: u64,
+    /// How it was evaluated: `parametric` from polynomials of the shape, `separable` from samples.
+    pub engine: &'static str,
     /// Which arithmetic evaluated it: results repeat bit for bit on the same one only.
     pub arithmetic: &'static str,
     /// Every run, in order.
@@ -57,6 +58,14 @@ impl SearchRun {
     /// Whether the run ended because its budget was spent, with nothing known of convergence.
     pub fn stopped_on_budget(&self) -> bool {
         self.on_budget
+    }
+}
+
+impl SearchRun {
+    /// Whether a polish showed the run's end to be a stationary point of the box, or as near as rounding allows.
+    pub fn is_stationary(&self) -> bool {
+        use optim::PolishReason::{Flat, Stationary};
+        self.polish.as_ref().is_some_and(|p| matches!(p.reason, Stationary | Flat))
     }
 }
 
@@ -126,10 +135,8 @@ pub(super) fn search(
         minimum: best.value,
         evaluations: runs.iter().map(|run| run.evaluations).sum(),
         nan_evaluations: runs.iter().map(|run| run.nan_evaluations).sum(),
-        arithmetic: match reduced.parametric.path() {
-            Path::Fma => "fma",
-            Path::Portable => "portable",
-        },
+        engine: reduced.engine(),
+        arithmetic: reduced.arithmetic(),
         runs,
     })
 }
@@ -184,87 +191,6 @@ impl SearchRun {
         self.on_budget = polished.reason == optim::PolishReason::Budget;
         self.polish = Some(polished);
         Ok(())
-    }
-}
-
-/// The reduced energy J(α) = min over the free points, as the swarm and the polish ask for it.
-struct Reduced {
-    parametric: Parametric,
-}
-
-impl Reduced {
-    fn new(net: &Net, method: &Method, arithmetic: Arithmetic) -> Result<Self, MethodError> {
-        if extremal_energy(method).is_some_and(|energy| energy != method.search_energy) {
-            return Err(MethodError::Unavailable {
-                what: "a search-energy other than the energy whose extremal is taken",
-            });
-        }
-        let energy = functional(method.search_energy)
-            .ok_or(MethodError::Unavailable { what: "a search on the area" })?;
-        let kind = if method.patch == Patch::TbCoons { ShapedPatch::TbCoons } else { ShapedPatch::Gt };
-        let form = ShapeForm::of(energy, kind, net.degrees())?;
-        let parametric = Parametric::new(&problem(&form, net))?;
-        let parametric = match arithmetic {
-            Arithmetic::Auto => parametric,
-            Arithmetic::Portable => parametric.with_path(Path::Portable)?,
-            Arithmetic::Fma => parametric.with_path(Path::Fma)?,
-        };
-        Ok(Self { parametric })
-    }
-}
-
-/// The numbers of a shape form over a net, as the solver takes them.
-fn problem(form: &ShapeForm, net: &Net) -> ParametricProblem {
-    let matrices = |grams: &[energy::GramPolynomial]| {
-        grams
-            .iter()
-            .map(|gram| PolynomialMatrix {
-                rows: gram.coefficients[0].rows(),
-                cols: gram.coefficients[0].cols(),
-                coefficients: gram.coefficients.each_ref().map(|c| c.as_slice().to_vec()),
-            })
-            .collect()
-    };
-    let (m, n) = net.degrees();
-    let solved_for = net.fixed().contains(&false);
-    let interior = |degree: usize| if solved_for { (1..degree).collect() } else { Vec::new() };
-    ParametricProblem {
-        left: matrices(&form.left),
-        right: matrices(&form.right),
-        terms: form
-            .terms
-            .iter()
-            .map(|t| Term { coefficient: t.coefficient, left: t.left, right: t.right })
-            .collect(),
-        free_left: interior(m),
-        free_right: interior(n),
-        values: net.coordinates(),
-    }
-}
-
-impl Objective for Reduced {
-    fn dimension(&self) -> usize {
-        4
-    }
-
-    fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        // Points come four numbers each; should they ever not, NaN loses to everything and is counted.
-        if self.parametric.values(points, values).is_err() {
-            values.fill(f64::NAN);
-        }
-    }
-}
-
-impl Smooth for Reduced {
-    fn dimension(&self) -> usize {
-        4
-    }
-
-    fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        let mut by_shape = [0.0; 4];
-        let value = self.parametric.value_and_gradient(&shape(point), &mut by_shape);
-        gradient.copy_from_slice(&by_shape);
-        value
     }
 }
 

@@ -132,11 +132,11 @@ pub enum Shape {
 /// How shape parameters are searched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SearchMode {
-    /// Particle swarm only (`search = true` and `"pso"`).
+    /// Particle swarm only, as in the paper.
     Pso,
     /// Descent with the gradient only, from `runs` starts.
     Polish,
-    /// Particle swarm, then descent from its best point.
+    /// Particle swarm, then descent from each run's best point (`search = true`).
     PsoPolish,
 }
 

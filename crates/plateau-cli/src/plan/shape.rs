@@ -19,7 +19,7 @@ impl Draft<'_> {
                     ("pso-polish", SearchMode::PsoPolish),
                 ];
                 match key.get_ref() {
-                    SearchKey::Truth(true) => Some(SearchMode::Pso),
+                    SearchKey::Truth(true) => Some(SearchMode::PsoPolish),
                     SearchKey::Truth(false) => None,
                     SearchKey::Name(word) => {
                         Some(check.named(&self.table, "search", word, key.span(), &names)?)

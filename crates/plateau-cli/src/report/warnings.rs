@@ -24,6 +24,11 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
                 ));
             }
         }
+        let failed = outcome.runs.iter().filter(|run| run.polish.is_some() && !run.is_stationary()).count();
+        if failed > 0 {
+            warnings
+                .push(format!("{failed} of {} runs did not end at a stationary point", outcome.runs.len()));
+        }
         let budget = outcome.runs.iter().filter(|run| run.stopped_on_budget()).count();
         if budget > 0 {
             warnings.push(format!(
@@ -40,10 +45,10 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
         }
     }
     if let Some(solve) = &solved.solve {
-        if solve.condition > ILL_CONDITIONED {
+        let condition = solve.condition.max(solve.basis_condition.unwrap_or(0.0));
+        if condition > ILL_CONDITIONED {
             warnings.push(format!(
-                "the linear system is ill-conditioned (about {:.0e}): control points lose digits, the surface fewer",
-                solve.condition
+                "the control points are ill-conditioned (about {condition:.0e}): they lose digits, the surface fewer"
             ));
         }
         if solve.residual > 30.0 {

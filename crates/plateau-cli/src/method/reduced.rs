@@ -1,0 +1,147 @@
+//! The reduced energy J(α) = min over the free points, as the swarm and the polish ask for it.
+
+use bases::{Basis, GtParts};
+use energy::{ShapeForm, ShapedPatch};
+use optim::{Objective, Smooth};
+use solve::{
+    AffineSamples, Parametric, ParametricProblem, Path, PolynomialMatrix, SeparableParametric, Term,
+};
+use surfaces::Net;
+
+use super::{MethodError, extremal_energy, functional, prefers_separable};
+use crate::{Arithmetic, Energy, Method, Patch, SolverChoice};
+
+/// J of a method over a net; the gradient comes with the solve, by the envelope theorem.
+pub(super) enum Reduced {
+    /// Polynomials of the shape, contracted with the boundary once: for small nets, any quadratic energy, any blend.
+    Parametric(Box<Parametric>),
+    /// Samples of the functions, orthonormalised at every shape: for large nets, where Gram matrices lose digits.
+    Separable(Box<SeparableParametric>),
+}
+
+impl Reduced {
+    pub(super) fn new(net: &Net, method: &Method, arithmetic: Arithmetic) -> Result<Self, MethodError> {
+        if extremal_energy(method).is_some_and(|energy| energy != method.search_energy) {
+            return Err(MethodError::Unavailable {
+                what: "a search-energy other than the energy whose extremal is taken",
+            });
+        }
+        let energy = functional(method.search_energy)
+            .ok_or(MethodError::Unavailable { what: "a search on the area" })?;
+        let (m, n) = net.degrees();
+        let solved_for = net.fixed().contains(&false);
+        let interior = |degree: usize| if solved_for { (1..degree).collect() } else { Vec::new() };
+        let splits = method.search_energy == Energy::Dirichlet && method.patch == Patch::Tensor && solved_for;
+        let separable = match method.solver {
+            SolverChoice::Separable => splits,
+            SolverChoice::Auto => splits && prefers_separable(net),
+            SolverChoice::Dense | SolverChoice::Sparse => false,
+        };
+        if separable {
+            let (u, v) = (affine_samples(m)?, affine_samples(n)?);
+            let system = SeparableParametric::new(u, v, &interior(m), &interior(n), &net.coordinates())?;
+            return Ok(Self::Separable(Box::new(system)));
+        }
+        let kind = if method.patch == Patch::TbCoons { ShapedPatch::TbCoons } else { ShapedPatch::Gt };
+        let form = ShapeForm::of(energy, kind, (m, n))?;
+        let parametric = Parametric::new(&ParametricProblem {
+            left: matrices(&form.left),
+            right: matrices(&form.right),
+            terms: form
+                .terms
+                .iter()
+                .map(|t| Term { coefficient: t.coefficient, left: t.left, right: t.right })
+                .collect(),
+            free_left: interior(m),
+            free_right: interior(n),
+            values: net.coordinates(),
+        })?;
+        Ok(Self::Parametric(Box::new(match arithmetic {
+            Arithmetic::Auto => parametric,
+            Arithmetic::Portable => parametric.with_path(Path::Portable)?,
+            Arithmetic::Fma => parametric.with_path(Path::Fma)?,
+        })))
+    }
+
+    /// How J is evaluated, by name.
+    pub(super) fn engine(&self) -> &'static str {
+        match self {
+            Self::Parametric(_) => "parametric",
+            Self::Separable(_) => "separable",
+        }
+    }
+
+    /// The arithmetic it is evaluated in, by name.
+    pub(super) fn arithmetic(&self) -> &'static str {
+        match self {
+            Self::Parametric(parametric) => match parametric.path() {
+                Path::Fma => "fma",
+                Path::Portable => "portable",
+            },
+            Self::Separable(_) => "native",
+        }
+    }
+}
+
+fn matrices(grams: &[energy::GramPolynomial]) -> Vec<PolynomialMatrix> {
+    let matrix = |gram: &energy::GramPolynomial| PolynomialMatrix {
+        rows: gram.coefficients[0].rows(),
+        cols: gram.coefficients[0].cols(),
+        coefficients: gram.coefficients.each_ref().map(|c| c.as_slice().to_vec()),
+    };
+    grams.iter().map(matrix).collect()
+}
+
+/// The GT functions of one degree and their derivatives, split into the parts affine in the shape.
+fn affine_samples(degree: usize) -> Result<AffineSamples, MethodError> {
+    let (parts, functions) = (GtParts::new(degree)?, degree + 1);
+    let samples = bases::Samples::new(&parts, bases::Samples::points_for(functions), 1)?;
+    let points = samples.nodes().len();
+    debug_assert_eq!(parts.count(), 3 * functions);
+    let split = |order: usize| {
+        std::array::from_fn(|part| {
+            let row = |p: usize| samples.order(order).row(p)[part * functions..][..functions].iter().copied();
+            (0..points).flat_map(row).collect()
+        })
+    };
+    Ok(AffineSamples {
+        points,
+        functions,
+        weights: samples.weights().to_vec(),
+        values: split(0),
+        derivatives: split(1),
+    })
+}
+
+impl Objective for Reduced {
+    fn dimension(&self) -> usize {
+        4
+    }
+
+    fn evaluate(&self, points: &[f64], values: &mut [f64]) {
+        let evaluated = match self {
+            Self::Parametric(system) => system.values(points, values),
+            Self::Separable(system) => system.values(points, values),
+        };
+        // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
+        if evaluated.is_err() {
+            values.fill(f64::NAN);
+        }
+    }
+}
+
+impl Smooth for Reduced {
+    fn dimension(&self) -> usize {
+        4
+    }
+
+    fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
+        let (shape, mut by_shape) = (std::array::from_fn(|k| point[k]), [0.0; 4]);
+        let value = match self {
+            Self::Parametric(system) => system.value_and_gradient(&shape, &mut by_shape),
+            Self::Separable(system) => system.value_and_gradient(&shape, &mut by_shape),
+        };
+        gradient.copy_from_slice(&by_shape);
+        value
+    }
+}
