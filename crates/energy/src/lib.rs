@@ -2,9 +2,10 @@
 //!
 //! Two kinds. A quadratic [`Functional`] (Dirichlet, Laplacian defect, bending, Coons) of a tensor patch is a
 //! [`QuadraticForm`] of its control net: a short sum of Kronecker products of one-dimensional Gram matrices, with value,
-//! gradient and matrix; [`ShapeForm`] holds it for all GT shapes at once. Those of
-//! triangular patches, and the metric Dirichlet energy of any patch ([`MetricForm`]), are a [`DenseForm`]. The area is not
-//! quadratic: [`area()`] integrates it until it has settled and says how far to trust it, [`area_with_gradient`] differentiates it.
+//! gradient and matrix; [`ShapeForm`] holds it for all GT shapes at once. That of a triangular patch, and the metric
+//! Dirichlet energy of either ([`MetricForm`]), is a [`DenseForm`]. The area is not quadratic: [`area()`] integrates it
+//! until it has settled and says how far to trust it, [`area_with_gradient`] and [`triangle_area_with_gradient`]
+//! differentiate it, [`AreaExpansion`] twice.
 //!
 //! Always area ≤ Dirichlet energy, with equality exactly for conformal charts.
 //!

