@@ -58,6 +58,25 @@ fn condition_of_the_hilbert_matrix_is_the_known_one() {
 }
 
 #[test]
+fn condition_is_a_close_lower_bound() {
+    // Against the inverse itself: never above it, and within the factor 3 that is promised.
+    let mut random = Random(6);
+    for n in [5usize, 9, 20, 40] {
+        for _ in 0..10 {
+            let a = random.vector(n * n);
+            let lu = solve::Lu::new(n, &a).unwrap();
+            let unit: Vec<f64> = (0..n * n).map(|e| if e / n == e % n { 1.0 } else { 0.0 }).collect();
+            let inverse = lu.solve(n, &unit).unwrap().x;
+            let norm =
+                |a: &[f64]| (0..n).map(|j| (0..n).map(|i| a[i * n + j].abs()).sum()).fold(0.0, f64::max);
+            let known = norm(&a) * norm(&inverse);
+            let ratio = lu.condition() / known;
+            assert!(ratio <= 1.0 + 1e-9 && ratio >= 1.0 / 3.0, "order {n}: {ratio}");
+        }
+    }
+}
+
+#[test]
 fn each_kind_of_bad_matrix_has_its_own_error() {
     let ones = |n: usize| vec![1.0; n * n];
     for n in [2, 8, 9, 40] {

@@ -199,7 +199,8 @@ proptest! {
         let tolerance = 100.0 * f64::EPSILON * dense.condition;
 
         let separable = Separable::new(&u, &v, &free_u, &free_v).unwrap().solve(&net).unwrap();
-        prop_assert!(separable.residual <= 30.0);
+        // Rounding leaves something: a residual of exactly 0 would not have been measured.
+        prop_assert!(separable.residual <= 30.0 && (separable.residual > 0.0 || m * n < 12));
         let system = SeparableParametric::new(gt_samples(m), gt_samples(n), &free_u, &free_v, &net).unwrap();
         let other = system.solve(&at).unwrap();
         let size = dense.x.iter().fold(0.0f64, |s, x| s.max(x.abs()));

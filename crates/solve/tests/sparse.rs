@@ -198,6 +198,7 @@ fn each_kind_of_bad_input_has_its_own_error() {
         vec![entry(0, 0, 1.0), entry(0, 1, 2.0), entry(1, 0, 2.0), entry(1, 1, 4.0)],
         vec![entry(0, 0, 0.1), entry(0, 1, 0.3), entry(1, 0, 0.3), entry(1, 1, 0.9)],
         vec![entry(0, 0, 0.0), entry(1, 1, 1.0)],
+        vec![entry(0, 0, 1.0), entry(1, 1, 1e-14)],
     ] {
         assert!(
             matches!(solve_sparse(2, &singular, 1, &rhs), Err(SolveError::Singular { .. })),
