@@ -71,7 +71,7 @@ fn condition_is_a_close_lower_bound() {
                 |a: &[f64]| (0..n).map(|j| (0..n).map(|i| a[i * n + j].abs()).sum()).fold(0.0, f64::max);
             let known = norm(&a) * norm(&inverse);
             let ratio = lu.condition() / known;
-            assert!(ratio <= 1.0 + 1e-9 && ratio >= 1.0 / 3.0, "order {n}: {ratio}");
+            assert!((1.0 / 3.0..=1.0 + 1e-9).contains(&ratio), "order {n}: {ratio}");
         }
     }
 }
