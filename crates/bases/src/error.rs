@@ -84,4 +84,12 @@ pub enum BasisError {
         /// Index of the first part that differs.
         part: usize,
     },
+    /// An interval is empty or not finite.
+    #[error("an interval needs start < end, both finite; got [{start}, {end}]")]
+    Interval {
+        /// Its start.
+        start: f64,
+        /// Its end.
+        end: f64,
+    },
 }

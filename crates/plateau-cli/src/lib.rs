@@ -29,6 +29,7 @@
 
 mod arithmetic;
 mod atomic;
+mod boundary_figures;
 mod deliver;
 mod diagnostic;
 mod export;
@@ -43,6 +44,7 @@ mod spec;
 mod template;
 
 pub use arithmetic::Arithmetic;
+pub use boundary_figures::BoundaryFigures;
 pub use deliver::{DeliverError, deliver};
 pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use figures::Figures;

@@ -64,6 +64,12 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     basis_condition: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    boundary_deviation: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    harmonic_bound: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    harmonic_bound_error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     search: Option<SearchEntry>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
@@ -165,6 +171,9 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         residual: solve.and_then(|s| finite(s.residual)),
         condition: solve.and_then(|s| finite(s.condition)),
         basis_condition: solve.and_then(|s| s.basis_condition).and_then(finite),
+        boundary_deviation: done.boundary.map(|b| b.deviation).and_then(finite),
+        harmonic_bound: done.boundary.map(|b| b.harmonic_bound).and_then(finite),
+        harmonic_bound_error: done.boundary.map(|b| b.harmonic_bound_error).and_then(finite),
         search: done.solved.search.as_ref().map(search_entry),
         warnings: done.warnings.clone(),
     }))

@@ -2,8 +2,8 @@
 
 use crate::method::{self, Context};
 use crate::{
-    Arithmetic, Expected, Experiment, Figures, Method, MethodError, Plan, Progress, Published, Quantity,
-    Solved,
+    Arithmetic, BoundaryFigures, Expected, Experiment, Figures, Method, MethodError, Plan, Progress,
+    Published, Quantity, Solved, Surface,
 };
 
 /// Choices that are not part of the experiment.
@@ -53,6 +53,8 @@ pub struct Done {
     pub mesh: surfaces::Mesh,
     /// Its figures.
     pub figures: Figures,
+    /// What its boundary admits and how far it moved, for patches on the unit square.
+    pub boundary: Option<BoundaryFigures>,
     /// What a reader must know about this method.
     pub warnings: Vec<String>,
 }
@@ -95,8 +97,11 @@ fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Don
     let solved = method::solve(method, context)?;
     let mesh = solved.surface.mesh(mesh);
     let figures = Figures::of(solved.surface.patch(), &mesh)?;
+    let boundary = match &solved.surface {
+        Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
+    };
     let warnings = crate::report::warnings(&solved, &figures, &context.experiment.search);
-    Ok(Done { solved, mesh, figures, warnings })
+    Ok(Done { solved, mesh, figures, boundary, warnings })
 }
 
 impl Finished {
@@ -141,10 +146,9 @@ impl MethodResult {
             Quantity::Residual => solved.solve.map(|s| s.residual),
             Quantity::Shape(k) => solved.shape.and_then(|shape| shape.get(k).copied()),
             Quantity::SearchMinimum => solved.search.as_ref().map(|s| s.minimum),
-            Quantity::BoundaryDeviation
-            | Quantity::HarmonicBound
-            | Quantity::Deviation
-            | Quantity::Curvature(_) => None,
+            Quantity::BoundaryDeviation => done.boundary.map(|b| b.deviation),
+            Quantity::HarmonicBound => done.boundary.map(|b| b.harmonic_bound),
+            Quantity::Deviation | Quantity::Curvature(_) => None,
         }
     }
 }

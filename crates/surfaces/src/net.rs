@@ -124,6 +124,12 @@ impl Net {
         Ok(net)
     }
 
+    /// The same net with every point fixed: nothing is left to determine.
+    pub fn with_all_fixed(mut self) -> Self {
+        self.fixed.fill(true);
+        self
+    }
+
     /// The four boundary polygons u0, u1, v0, v1.
     pub fn boundary(&self) -> [Vec<Point>; 4] {
         let (m, n) = self.degrees();

@@ -31,6 +31,43 @@ pub enum MethodError {
         /// Evaluations made.
         evaluations: u64,
     },
+    /// Harmonic nets are offered up to a degree only.
+    #[error("a harmonic net of degree {degree} is beyond the largest offered, {max}")]
+    HarmonicDegree {
+        /// The larger of the two degrees.
+        degree: usize,
+        /// The largest offered.
+        max: usize,
+    },
+    /// The sides given do not determine the harmonic net.
+    #[error(
+        "the sides given leave {missing} degrees of freedom of a harmonic net of degree ({m}, {n}): give the other two \
+         sides as well, or choose equal odd degrees"
+    )]
+    HarmonicMissing {
+        /// Degree in u.
+        m: usize,
+        /// Degree in v.
+        n: usize,
+        /// Dimension of the harmonic nets that fit, for each coordinate.
+        missing: usize,
+    },
+    /// No harmonic net has the sides given.
+    #[error(
+        "no harmonic net of degree ({m}, {n}) has the sides given: the relations impose {conditions} conditions on them \
+         and they fail by {misfit:.1e}; give two opposite sides only, of equal odd degrees, or sides taken from a \
+         harmonic surface"
+    )]
+    HarmonicConflict {
+        /// Degree in u.
+        m: usize,
+        /// Degree in v.
+        n: usize,
+        /// How many linear conditions the sides must satisfy, for each coordinate.
+        conditions: usize,
+        /// The largest relative misfit.
+        misfit: f64,
+    },
     /// The user ended the work before this method had a result.
     #[error("interrupted before it had a result")]
     Interrupted,

@@ -2,15 +2,21 @@
 
 mod error;
 mod extremal;
+mod harmonic;
+mod mask;
 mod reduced;
 mod search;
 
-use surfaces::{Mesh, Net, Patch as SurfacePatch, Point, TensorPatch, tb_coons};
+use surfaces::{
+    Mesh, Net, Patch as SurfacePatch, Point, TensorPatch, discrete_coons, rectangular_mask, tb_coons,
+};
 
 pub use error::MethodError;
 pub use search::{SearchOutcome, SearchRun};
 
-use crate::{Arithmetic, Basis, Boundary, Energy, Interior, Method, Patch, PatchExperiment, Progress, Shape};
+use crate::{
+    Arithmetic, Basis, Boundary, Energy, Interior, Mask, Method, Patch, PatchExperiment, Progress, Shape,
+};
 
 /// The patch a method found, with what is known of the way to it.
 #[derive(Debug, Clone)]
@@ -37,6 +43,11 @@ pub struct SolveFigures {
     /// For the separable solver: what the control points may lose besides, the surface not (the condition of the two
     /// families of functions).
     pub basis_condition: Option<f64>,
+}
+
+impl SolveFigures {
+    /// Of nets given by a formula: nothing was solved.
+    const EXPLICIT: Self = Self { solver: "explicit", residual: 0.0, condition: 1.0, basis_condition: None };
 }
 
 /// A patch of any kind.
@@ -70,7 +81,8 @@ pub(crate) struct Context<'a> {
 
 /// Runs one method.
 pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
-    let net = boundary_net(method, &context.experiment.boundary)?;
+    let boundary = &context.experiment.boundary;
+    let (net, construction) = construct(method, boundary)?;
     let (shape, search) = match method.shape {
         Shape::None => (None, None),
         Shape::Fixed(shape) => (Some(shape), None),
@@ -80,8 +92,35 @@ pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, Me
         }
     };
     let patch = with_shape(net, method, shape)?;
-    let (patch, solve) = extremal::solve(&patch, method)?;
-    Ok(Solved { surface: Surface::Tensor(patch), shape, solve: Some(solve), search })
+    let (patch, solve) = match construction {
+        Some(figures) => (patch, Some(figures)),
+        None => {
+            let (patch, figures) = extremal::solve(&patch, method)?;
+            (patch, Some(figures))
+        }
+    };
+    Ok(Solved { surface: Surface::Tensor(patch), shape, solve, search })
+}
+
+/// The net of a method: whole, with the figures of its construction, or with an interior yet to be solved for.
+fn construct(method: &Method, boundary: &Boundary) -> Result<(Net, Option<SolveFigures>), MethodError> {
+    if method.interior == Interior::Harmonic {
+        let (net, figures) = harmonic::net(boundary)?;
+        return Ok((net, Some(figures)));
+    }
+    let net = boundary_net(method, boundary)?;
+    let alpha = match method.interior {
+        Interior::Mask(Mask::Alpha(alpha)) => alpha,
+        Interior::DiscreteCoons => {
+            let [u0, u1, v0, v1] = net.boundary();
+            return Ok((discrete_coons(&u0, &u1, &v0, &v1)?.with_all_fixed(), Some(SolveFigures::EXPLICIT)));
+        }
+        Interior::Mask(_) => return Err(MethodError::Unavailable { what: "this mask for tensor nets" }),
+        Interior::Extremal { .. } | Interior::Harmonic => return Ok((net, None)),
+    };
+    let system = rectangular_mask(alpha, &net)?;
+    let (coordinates, figures) = mask::solve(&system, net.fixed(), &net.coordinates())?;
+    Ok((net.with_coordinates(&coordinates)?.with_all_fixed(), Some(figures)))
 }
 
 /// The net with its boundary fixed, raised as the method asks.

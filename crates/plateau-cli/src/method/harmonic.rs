@@ -1,0 +1,102 @@
+//! Harmonic nets from two opposite sides (GT §6).
+
+use solve::solve_rank;
+use surfaces::{Net, Point, harmonic_relations};
+
+use super::{MethodError, SolveFigures};
+use crate::Boundary;
+
+/// Singular values below this fraction of the largest count as zero: far below those of solvable systems, far above
+/// rounding.
+const RANK_TOLERANCE: f64 = 1e-11;
+
+/// Highest degree offered: the relations are solved densely by singular values, O(degree⁶).
+const MAX_DEGREE: usize = 20;
+
+/// The net of the harmonic Bernstein–Bézier patch through the given sides, all of it determined.
+///
+/// Whether the sides determine it, and whether they admit one at all, is read off the rank of the relations and
+/// the conflict that remains: square odd degrees always work from two rows, other degrees sometimes.
+pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodError> {
+    let (m, n) = boundary.degrees();
+    if m.max(n) > MAX_DEGREE {
+        return Err(MethodError::HarmonicDegree { degree: m.max(n), max: MAX_DEGREE });
+    }
+    let points = (m + 1) * (n + 1);
+    let known = known_points(boundary, m, n)?;
+    let unknown: Vec<usize> = (0..points).filter(|&k| known[k].is_none()).collect();
+    let column: Vec<Option<usize>> = (0..points).map(|k| unknown.iter().position(|&u| u == k)).collect();
+    let relations = harmonic_relations(m, n);
+    let mut matrix = vec![0.0; points * unknown.len()];
+    let mut rhs = vec![0.0; points * 3];
+    for (r, relation) in relations.iter().enumerate() {
+        for &(k, weight) in relation {
+            match (column[k], known[k]) {
+                (Some(c), _) => matrix[r * unknown.len() + c] += weight,
+                (None, Some(p)) => {
+                    let p: [f64; 3] = p.into();
+                    (0..3).for_each(|d| rhs[3 * r + d] -= weight * p[d]);
+                }
+                (None, None) => {}
+            }
+        }
+    }
+    let solution = solve_rank(points, unknown.len(), &matrix, 3, &rhs, RANK_TOLERANCE)?;
+    if solution.inconsistent > 0 {
+        return Err(MethodError::HarmonicConflict {
+            m,
+            n,
+            conditions: points - solution.rank,
+            misfit: solution.residual,
+        });
+    }
+    if solution.nullity > 0 {
+        return Err(MethodError::HarmonicMissing { m, n, missing: solution.nullity });
+    }
+    let mut coordinates: Vec<Point> = known.iter().map(|p| p.unwrap_or(Point::ZERO)).collect();
+    for (c, &k) in unknown.iter().enumerate() {
+        coordinates[k] = Point::new(solution.x[3 * c], solution.x[3 * c + 1], solution.x[3 * c + 2]);
+    }
+    let values = &solution.singular_values;
+    let condition = match (values.first(), values.last()) {
+        (Some(largest), Some(smallest)) => largest / smallest,
+        _ => 1.0,
+    };
+    let residual = solution.residual / (points as f64 * f64::EPSILON);
+    let figures = SolveFigures { solver: "rank", residual, condition, basis_condition: None };
+    Ok((Net::new(m + 1, n + 1, coordinates)?, figures))
+}
+
+/// The points of the net that the boundary prescribes.
+fn known_points(boundary: &Boundary, m: usize, n: usize) -> Result<Vec<Option<Point>>, MethodError> {
+    let mut known = vec![None; (m + 1) * (n + 1)];
+    let mut row = |i: usize, points: &[[f64; 3]]| {
+        for (j, &p) in points.iter().enumerate() {
+            known[i * (n + 1) + j] = Some(Point::from(p));
+        }
+    };
+    match boundary {
+        Boundary::Rows { u0, u1, .. } => {
+            row(0, u0);
+            row(m, u1);
+        }
+        Boundary::Tensor { u0, u1, v0, v1 } => {
+            row(0, u0);
+            row(m, u1);
+            for i in 0..=m {
+                known[i * (n + 1)] = Some(Point::from(v0[i]));
+                known[i * (n + 1) + n] = Some(Point::from(v1[i]));
+            }
+        }
+        Boundary::Columns { v0, v1, .. } => {
+            for i in 0..=m {
+                known[i * (n + 1)] = Some(Point::from(v0[i]));
+                known[i * (n + 1) + n] = Some(Point::from(v1[i]));
+            }
+        }
+        Boundary::Triangle { .. } => {
+            return Err(MethodError::Unavailable { what: "a harmonic triangular net" });
+        }
+    }
+    Ok(known)
+}
