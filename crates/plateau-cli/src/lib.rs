@@ -50,10 +50,10 @@ pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use figures::Figures;
 pub use method::{MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface};
 pub use plan::{
-    AHT_SPAN_BOUND, AT_SPAN_BOUND, Basis, Boundary, Curve, CurveBasis, Deformation, DeformationPath, Energy,
-    Expected, Experiment, Format, Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE,
-    MAX_SEARCH_BUDGET, Mask, Method, Output, Patch, PatchExperiment, Plan, Published, Quantity, Search,
-    SearchMode, Shape, SolverChoice, TrapeziumHelicoid, Variant,
+    Basis, Boundary, Curve, CurveBasis, Deformation, DeformationPath, Energy, Expected, Experiment, Format,
+    Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE, MAX_SEARCH_BUDGET, Mask, Method, Output,
+    Patch, PatchExperiment, Plan, Published, Quantity, Search, SearchMode, Shape, SolverChoice,
+    TrapeziumHelicoid, Variant,
 };
 pub use progress::Progress;
 pub use report::table;

@@ -20,6 +20,8 @@ mod search;
 mod shape;
 
 pub use expected::{Expected, Published, Quantity};
+pub use surfaces::DeformationPath;
+
 pub use patch::{
     Basis, Boundary, Energy, Interior, Mask, Method, Patch, PatchExperiment, Search, SearchMode, Shape,
     SolverChoice, Variant,
@@ -34,18 +36,14 @@ pub const MAX_DEGREE: usize = 64;
 /// Largest admissible |coordinate| of a control point: its square, and sums of those, stay finite.
 pub const MAX_COORDINATE: f64 = 1e150;
 
+/// Most subdivisions of a mesh per side.
+const LARGEST_MESH: usize = 2000;
+
 /// Largest size in bytes of an experiment file.
 pub const MAX_FILE_SIZE: u64 = 16 * 1024 * 1024;
 
 /// Largest `particles × iterations × runs` of a search.
 pub const MAX_SEARCH_BUDGET: u64 = 1_000_000_000;
-
-/// Supremum of the spans α for which the AHT basis is nonnegative: the second positive root of
-/// cos α cosh α = 1 (AHT prints 5π/2, where b2 and b3 are already negative).
-pub const AHT_SPAN_BOUND: f64 = 7.853_204_624_095_837;
-
-/// Supremum 2π of the spans α for which the AT basis is nonnegative.
-pub const AT_SPAN_BOUND: f64 = std::f64::consts::TAU;
 
 /// One experiment, checked and ready to run.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,9 +85,9 @@ pub struct Helicoid {
     pub a: f64,
     /// Weight of the catenoid; finite, |b| ≤ 1e100.
     pub b: f64,
-    /// Length of the u interval, in (0, 100]. May exceed [`AHT_SPAN_BOUND`]: then several patches are needed.
+    /// Length of the u interval, at most 100. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
     pub u_span: f64,
-    /// Length of the v interval, in (0, 1000]. May exceed [`AHT_SPAN_BOUND`]: then several patches are needed.
+    /// Length of the v interval, at most 1000. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
     pub v_span: f64,
     /// The deformation from (a, b) = (1, 0) to (0, 1), if `frames` was given.
     pub deformation: Option<Deformation>,
@@ -102,25 +100,15 @@ pub struct Helicoid {
 pub struct Deformation {
     /// Number of frames, both ends included, in 2..=1000.
     pub frames: usize,
-    /// How (a, b) moves with λ ∈ [0, 1].
+    /// How (a, b) moves with λ ∈ [0, 1]; trigonometric, an isometric bending, unless the file says otherwise.
     pub path: DeformationPath,
-}
-
-/// How (a, b) moves from (1, 0) to (0, 1).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DeformationPath {
-    /// `(cos(λπ/2), sin(λπ/2))`: an isometric bending.
-    #[default]
-    Trigonometric,
-    /// `(1 − λ, λ)`.
-    Linear,
 }
 
 /// The right helicoid `(w cos v, w sin v, v)` over the trapezium `0 ≤ v ≤ span`,
 /// `γ0 + β0 v ≤ w ≤ γ1 + β1 v` (AT, with the corrections of spec §7).
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrapeziumHelicoid {
-    /// Length α of the v interval, in (0, [`AT_SPAN_BOUND`]).
+    /// Length α of the v interval, at most 1000. May exceed 2π: then several patches are needed.
     pub span: f64,
     /// Offsets (γ0, γ1) of the two sides.
     pub gamma: [f64; 2],
@@ -159,12 +147,12 @@ pub enum CurveBasis {
     },
     /// Algebraic–hyperbolic–trigonometric functions of order 6 on [0, span] (AHT).
     Aht {
-        /// Right end of the domain, in (0, [`AHT_SPAN_BOUND`]).
+        /// Right end of the domain, below `bases::Aht::SUPREMUM`.
         span: f64,
     },
     /// Algebraic–trigonometric functions of order 6 on [0, span] (AT).
     At {
-        /// Right end of the domain, in (0, [`AT_SPAN_BOUND`]).
+        /// Right end of the domain, below `bases::At::SUPREMUM`, 2π.
         span: f64,
     },
 }

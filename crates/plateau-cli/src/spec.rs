@@ -95,6 +95,7 @@ pub(crate) struct HelicoidSpec {
     pub(crate) v_span: Key<Number>,
     pub(crate) frames: Key<Integer>,
     pub(crate) path: Key<Text>,
+    pub(crate) path_degree: Key<Integer>,
 }
 
 /// `[trapezium-helicoid]`.

@@ -239,6 +239,8 @@ fn helicoids() {
     assert_eq!(found.deformation, Some(Deformation { frames: 11, path }));
     let linear = helicoid(&text.replace("\"trigonometric\"", "\"linear\""));
     assert_eq!(linear.deformation.map(|d| d.path), Some(DeformationPath::Linear));
+    let outer = helicoid(&text.replace("path = \"trigonometric\"", "path-degree = 3\npath = \"bernstein\""));
+    assert_eq!(outer.deformation.map(|d| d.path), Some(DeformationPath::Bernstein { degree: 3 }));
     let long = helicoid(&text.replace("frames", "# ").replace("path", "# ").replace("6.0", "12"));
     assert_eq!((long.v_span, long.deformation), (12.0, None));
 }
@@ -248,6 +250,8 @@ fn a_helicoid_over_a_trapezium() {
     let text = "title = \"T\"\n[trapezium-helicoid]   # exact, AT x degree 1\nspan = 3.9\ngamma = [6.2, 12.5]\nbeta = [1.0, 0.5]\n";
     let Experiment::TrapeziumHelicoid(found) = plan(text).experiment else { panic!() };
     assert_eq!((found.span, found.gamma, found.beta), (3.9, [6.2, 12.5], [1.0, 0.5]));
+    // Beyond 2π it is cut into several patches.
+    assert!(matches!(plan(&text.replace("3.9", "12")).experiment, Experiment::TrapeziumHelicoid(_)));
 }
 
 #[test]

@@ -1,5 +1,8 @@
 //! `[curve]`.
 
+use std::ops::Range;
+
+use bases::{Aht, At};
 use serde_spanned::Spanned;
 
 use super::boundary::points;
@@ -8,7 +11,7 @@ use super::expected::check::Subject;
 use super::helicoid::expectations;
 use super::number::{counted, shown};
 use super::shape::shape_parameters;
-use super::{AHT_SPAN_BOUND, AT_SPAN_BOUND, Curve, CurveBasis, MAX_DEGREE};
+use super::{Curve, CurveBasis, MAX_DEGREE};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{CurveSpec, ExpectSpec, Key, Samples, Section};
 
@@ -92,17 +95,26 @@ fn basis(check: &mut Check<'_>, table: &Table, spec: &CurveSpec, family: Family)
             let shape = shape_parameters(check, table, key, "shape = [theta1, theta2]")?;
             Some(CurveBasis::Gt { shape })
         }
-        Family::Aht => span(check, table, spec, AHT_SPAN_BOUND, "above 0 and below 7.853204624")
-            .map(|span| CurveBasis::Aht { span }),
-        Family::At => span(check, table, spec, AT_SPAN_BOUND, "above 0 and below 2π = 6.283185307")
-            .map(|span| CurveBasis::At { span }),
+        Family::Aht => {
+            span(check, table, spec, Aht::MIN_SPAN..Aht::SUPREMUM, "").map(|span| CurveBasis::Aht { span })
+        }
+        Family::At => {
+            span(check, table, spec, At::MIN_SPAN..At::SUPREMUM, "2π = ").map(|span| CurveBasis::At { span })
+        }
     }
 }
 
-fn span(check: &mut Check<'_>, table: &Table, spec: &CurveSpec, bound: f64, set: &str) -> Option<f64> {
+fn span(
+    check: &mut Check<'_>,
+    table: &Table,
+    spec: &CurveSpec,
+    admitted: Range<f64>,
+    name_of_bound: &str,
+) -> Option<f64> {
     let help = "the basis lives on [0, span] and becomes negative beyond this bound: split a longer curve into several";
     let key = check.required(table, "span", &spec.span, help)?;
-    check.number(table, "span", key, (|x| x > 0.0 && x < bound, set), help)
+    let set = format!("above 0 (at least {:e}) and below {name_of_bound}{:.9}", admitted.start, admitted.end);
+    check.number(table, "span", key, (|x| admitted.contains(&x), &set), help)
 }
 
 /// The one number of coordinates all points have.

@@ -9,10 +9,10 @@ use serde_spanned::Spanned;
 use super::boundary::{Sides, boundary};
 use super::check::{Check, Table, top};
 use super::curve::curve;
-use super::helicoid::{helicoid, trapezium};
+use super::helicoid::{frames_fit, helicoid, trapezium};
 use super::method::methods;
 use super::search::search;
-use super::{Experiment, Format, MAX_FILE_SIZE, Output, PatchExperiment, Plan, Search};
+use super::{Experiment, Format, LARGEST_MESH, MAX_FILE_SIZE, Output, PatchExperiment, Plan, Search};
 use crate::diagnostic::{Diagnostic, Fault, Refusal};
 use crate::spec::{self, OutputSpec, Reading, Section, Spec};
 
@@ -143,6 +143,9 @@ fn plan(check: &mut Check<'_>, spec: &Spec, file: &str) -> Option<Plan> {
         None => Some(Output::default()),
     };
     let experiment = experiment(check, spec, &root);
+    if let (Some(experiment), Some(output)) = (&experiment, &output) {
+        frames_fit(check, spec, experiment, output.mesh);
+    }
     Some(Plan {
         title: title?,
         seed: seed?,
@@ -187,7 +190,7 @@ fn output(check: &mut Check<'_>, key: &Spanned<Section<OutputSpec>>) -> Option<O
     let mut sound = true;
     if let Some(key) = &spec.mesh {
         let help = "it is the number of subdivisions of each side of the surface mesh; 48 is the default";
-        match check.count(&table, "mesh", key, 2..=2000, help) {
+        match check.count(&table, "mesh", key, 2..=LARGEST_MESH, help) {
             Some(mesh) => output.mesh = mesh,
             None => sound = false,
         }

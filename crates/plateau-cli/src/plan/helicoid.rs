@@ -1,16 +1,24 @@
 //! `[helicoid]` and `[trapezium-helicoid]`.
 
+use std::ops::RangeInclusive;
+
+use bases::{Aht, At};
 use serde_spanned::Spanned;
 
 use super::check::{Check, Table, top};
 use super::expected::check::{Subject, expected};
 use super::number::{counted, shown};
-use super::{AT_SPAN_BOUND, Deformation, DeformationPath, Expected, Helicoid, TrapeziumHelicoid};
+use super::{
+    Deformation, DeformationPath, Expected, Experiment, Helicoid, LARGEST_MESH, MAX_DEGREE, TrapeziumHelicoid,
+};
 use crate::diagnostic::{Diagnostic, Fault};
-use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, TrapeziumSpec};
+use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, Spec, TrapeziumSpec};
 
 /// Largest weight: with cosh u ≤ cosh 100 the coordinates stay far below overflow.
 const LARGEST_WEIGHT: f64 = 1e100;
+
+/// Longest intervals: cosh u stays far below overflow, the number of patches within thousands.
+const LONGEST: [f64; 2] = [100.0, 1000.0];
 
 /// Checks `[helicoid]`.
 pub(super) fn helicoid(
@@ -22,8 +30,10 @@ pub(super) fn helicoid(
     let spec = spec.get_ref();
     let a = weight(check, &table, "a", &spec.a);
     let b = weight(check, &table, "b", &spec.b);
-    let u_span = length(check, &table, "u-span", &spec.u_span, 100.0);
-    let v_span = length(check, &table, "v-span", &spec.v_span, 1000.0);
+    let piece = surfaces::Helicoid::LARGEST_PIECE;
+    let [u_most, v_most] = LONGEST;
+    let u_span = length(check, &table, "u-span", &spec.u_span, Aht::MIN_SPAN..=u_most, piece);
+    let v_span = length(check, &table, "v-span", &spec.v_span, Aht::MIN_SPAN..=v_most, piece);
     let deformation = deformation(check, &table, spec);
     let expect = expectations(check, expect, Subject::Helicoid);
     if let (Some(0.0), Some(0.0), Some(key)) = (a, b, &spec.b) {
@@ -51,22 +61,31 @@ fn weight(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<Number>) -
     check.number(table, name, key, (|x| x.abs() <= LARGEST_WEIGHT, "between -1e100 and 1e100"), help)
 }
 
-fn length(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<Number>, most: f64) -> Option<f64> {
+fn length(
+    check: &mut Check<'_>,
+    table: &Table,
+    name: &str,
+    key: &Key<Number>,
+    admitted: RangeInclusive<f64>,
+    piece: f64,
+) -> Option<f64> {
     let help = format!(
-        "it is the length of the parameter interval [0, {name}]; spans above 7.853 are split into several patches"
+        "it is the length of the parameter interval [0, {name}]; beyond {piece:.3} it is cut into several patches"
     );
     let key = check.required(table, name, key, &help)?;
-    let set = format!("above 0 and at most {most}");
-    check.number(table, name, key, (|x| x > 0.0 && x <= most, &set), &help)
+    let set = format!("above 0 (at least {:e}) and at most {}", admitted.start(), admitted.end());
+    check.number(table, name, key, (|x| admitted.contains(&x), &set), &help)
 }
 
 /// `None` if faulty; `Some(None)` if there is none.
 fn deformation(check: &mut Check<'_>, table: &Table, spec: &HelicoidSpec) -> Option<Option<Deformation>> {
-    let names = [("trigonometric", DeformationPath::Trigonometric), ("linear", DeformationPath::Linear)];
+    let names =
+        [("trigonometric", Path::Trigonometric), ("linear", Path::Linear), ("bernstein", Path::Bernstein)];
     let path = match &spec.path {
         Some(key) => check.choice(table, "path", key, &names),
-        None => Some(DeformationPath::default()),
+        None => Some(Path::Trigonometric),
     };
+    let path = path.and_then(|path| with_degree(check, table, path, spec));
     match (&spec.frames, &spec.path) {
         (Some(frames), _) => {
             let help = "it is the number of surfaces from (a, b) = (1, 0) to (0, 1), both ends included";
@@ -91,6 +110,68 @@ fn deformation(check: &mut Check<'_>, table: &Table, spec: &HelicoidSpec) -> Opt
     }
 }
 
+/// The meshes of all frames together may hold no more vertices than the largest mesh of one surface.
+pub(super) fn frames_fit(check: &mut Check<'_>, spec: &Spec, experiment: &Experiment, mesh: usize) {
+    let Experiment::Helicoid(Helicoid { deformation: Some(Deformation { frames, .. }), .. }) = experiment
+    else {
+        return;
+    };
+    let most = (LARGEST_MESH + 1).pow(2) / frames;
+    if (mesh + 1).pow(2) <= most {
+        return;
+    }
+    let key = |spec: &HelicoidSpec| spec.frames.as_ref().map(Spanned::span);
+    let Some(span) = spec.helicoid.as_ref().and_then(|table| key(table.get_ref())) else { return };
+    check.inadmissible(
+        span,
+        format!("{frames} frames with `mesh` = {mesh} are too many vertices to be kept at once"),
+        format!("{} vertices", frames * (mesh + 1).pow(2)),
+        format!("take fewer frames, or write mesh = {} in [output]", most.isqrt() - 1),
+    );
+}
+
+/// What `path` may name.
+#[derive(Clone, Copy)]
+enum Path {
+    Trigonometric,
+    Linear,
+    Bernstein,
+}
+
+/// The path with its degree, which only one kind has.
+fn with_degree(
+    check: &mut Check<'_>,
+    table: &Table,
+    path: Path,
+    spec: &HelicoidSpec,
+) -> Option<DeformationPath> {
+    let help = "path = \"bernstein\" moves (a, b) along ((1 - λ)^n, λ^n): give the degree n, path-degree = 3";
+    match (path, &spec.path_degree) {
+        (Path::Bernstein, Some(key)) => {
+            let degree = check.count(table, "path-degree", key, 1..=MAX_DEGREE, help)?;
+            Some(DeformationPath::Bernstein { degree: u32::try_from(degree).ok()? })
+        }
+        (Path::Bernstein, None) => {
+            check.missing(table, "path-degree", help);
+            None
+        }
+        (_, Some(key)) => {
+            check.report(
+                Diagnostic::at(
+                    Fault::Conflict,
+                    key.span(),
+                    "[helicoid] has a `path-degree`, but its path has no degree",
+                    "not for this path",
+                )
+                .help("write path = \"bernstein\" for ((1 - λ)^n, λ^n), or leave out `path-degree`"),
+            );
+            None
+        }
+        (Path::Trigonometric, None) => Some(DeformationPath::Trigonometric),
+        (Path::Linear, None) => Some(DeformationPath::Linear),
+    }
+}
+
 /// Checks `[trapezium-helicoid]`.
 pub(super) fn trapezium(
     check: &mut Check<'_>,
@@ -99,18 +180,16 @@ pub(super) fn trapezium(
 ) -> Option<TrapeziumHelicoid> {
     let table = check.table("[trapezium-helicoid]", spec.span(), &top("trapezium-helicoid"));
     let spec = spec.get_ref();
-    let help = "the parameter v runs over [0, span], and the AT basis is nonnegative only for spans below 2π";
-    let span = check.required(&table, "span", &spec.span, help).and_then(|key| {
-        let inside = (|x| x > 0.0 && x < AT_SPAN_BOUND, "above 0 and below 2π = 6.2831853");
-        check.number(&table, "span", key, inside, help)
-    });
+    let piece = surfaces::TrapeziumHelicoid::LARGEST_PIECE;
+    let span = length(check, &table, "span", &spec.span, At::MIN_SPAN..=LONGEST[1], piece);
     let gamma = pair(check, &table, "gamma", &spec.gamma);
     let beta = pair(check, &table, "beta", &spec.beta);
     let expect = expectations(check, expect, Subject::Helicoid);
     let (span, gamma, beta) = (span?, gamma?, beta?);
     let at_start = gamma[1] - gamma[0];
     let at_end = (gamma[1] + beta[1] * span) - (gamma[0] + beta[0] * span);
-    if at_start * at_end < 0.0 || (at_start == 0.0 && at_end == 0.0) {
+    let crossed = (at_start < 0.0 && at_end > 0.0) || (at_start > 0.0 && at_end < 0.0);
+    if crossed || (at_start == 0.0 && at_end == 0.0) {
         let what = if at_start == 0.0 {
             "the two sides of [trapezium-helicoid] coincide".to_owned()
         } else {
