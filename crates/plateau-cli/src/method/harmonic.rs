@@ -1,7 +1,7 @@
 //! Harmonic nets from two opposite sides (GT §6).
 
 use solve::solve_rank;
-use surfaces::{Net, Point, harmonic_relations};
+use surfaces::{Net, Point, Relation, harmonic_relations};
 
 use super::{MethodError, SolveFigures};
 use crate::Boundary;
@@ -43,12 +43,9 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
     }
     let solution = solve_rank(points, unknown.len(), &matrix, 3, &rhs, RANK_TOLERANCE)?;
     if solution.inconsistent > 0 {
-        return Err(MethodError::HarmonicConflict {
-            m,
-            n,
-            conditions: points - solution.rank,
-            misfit: solution.residual,
-        });
+        // Of all independent relations, those that the unknown points cannot serve bind the sides themselves.
+        let conditions = rank(&relations, points)? - solution.rank;
+        return Err(MethodError::HarmonicConflict { m, n, conditions, misfit: solution.residual });
     }
     if solution.nullity > 0 {
         return Err(MethodError::HarmonicMissing { m, n, missing: solution.nullity });
@@ -65,6 +62,17 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
     let residual = solution.residual / (points as f64 * f64::EPSILON);
     let figures = SolveFigures { solver: "rank", residual, condition, basis_condition: None };
     Ok((Net::new(m + 1, n + 1, coordinates)?, figures))
+}
+
+/// How many of the relations are independent.
+fn rank(relations: &[Relation], points: usize) -> Result<usize, MethodError> {
+    let mut matrix = vec![0.0; relations.len() * points];
+    for (r, relation) in relations.iter().enumerate() {
+        for &(k, weight) in relation {
+            matrix[r * points + k] += weight;
+        }
+    }
+    Ok(solve_rank(relations.len(), points, &matrix, 0, &[], RANK_TOLERANCE)?.rank)
 }
 
 /// The points of the net that the boundary prescribes.
