@@ -37,14 +37,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("GT, shape 1", "#b5451b", "basis = \"gt\"\nshape = [1, 1, 1, 1]"),
     ];
     let (left, top, width, height) = (70.0, 30.0, 520.0, 300.0);
-    let (low, high) = (2.4, 3.0);
+    let (low, high) = (2.6, 3.0);
     let x = |d: f64| left + width * (d - 3.0) / 17.0;
     let y = |a: f64| top + height * (high - a) / (high - low);
     let mut svg = String::from(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 400\" font-family=\"sans-serif\" font-size=\"13\">\n\
          <rect width=\"640\" height=\"400\" fill=\"white\"/>\n",
     );
-    for k in 0..=6 {
+    for k in 0..=4 {
         let a = low + 0.1 * f64::from(k);
         let (y, right) = (y(a), left + width);
         writeln!(svg, "<line x1=\"{left}\" y1=\"{y:.1}\" x2=\"{right}\" y2=\"{y:.1}\" stroke=\"#ddd\"/>")?;
