@@ -1,7 +1,7 @@
 //! `result.json`, the record of an experiment for other programs.
 
 use serde::Serialize;
-use surfaces::Net;
+use surfaces::{Net, TriangleNet};
 
 use crate::run::{Finished, MethodResult};
 use crate::{SearchOutcome, SearchRun, Surface};
@@ -54,7 +54,7 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     shape: Option<[f64; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    net: Option<Vec<Vec<[f64; 3]>>>,
+    net: Option<NetEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     solver: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -73,6 +73,20 @@ struct DoneEntry {
     search: Option<SearchEntry>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
+}
+
+/// `net[i][j]` for rectangular nets, a list of points with their indices for triangular ones.
+#[derive(Debug, Clone, Serialize)]
+#[serde(untagged)]
+enum NetEntry {
+    Rows(Vec<Vec<[f64; 3]>>),
+    Triangle(Vec<IndexedPoint>),
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct IndexedPoint {
+    index: [usize; 3],
+    point: [f64; 3],
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -165,7 +179,8 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             .then_some(MeanCurvature { max_abs: f.mean_curvature_max, rms: f.mean_curvature_rms }),
         shape: done.solved.shape,
         net: Some(match &done.solved.surface {
-            Surface::Tensor(patch) => rows(patch.net()),
+            Surface::Tensor(patch) => NetEntry::Rows(rows(patch.net())),
+            Surface::Triangle(patch) => NetEntry::Triangle(indexed(patch.net())),
         }),
         solver: solve.map(|s| s.solver),
         residual: solve.and_then(|s| finite(s.residual)),
@@ -184,6 +199,10 @@ fn rows(net: &Net) -> Vec<Vec<[f64; 3]>> {
         .chunks_exact(net.cols())
         .map(|row| row.iter().copied().map(<[f64; 3]>::from).collect())
         .collect()
+}
+
+fn indexed(net: &TriangleNet) -> Vec<IndexedPoint> {
+    net.indices().zip(net.points()).map(|(index, &p)| IndexedPoint { index, point: p.into() }).collect()
 }
 
 fn search_entry(outcome: &SearchOutcome) -> SearchEntry {

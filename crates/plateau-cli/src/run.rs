@@ -99,6 +99,7 @@ fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Don
     let figures = Figures::of(solved.surface.patch(), &mesh)?;
     let boundary = match &solved.surface {
         Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
+        Surface::Triangle(_) => None,
     };
     let warnings = crate::report::warnings(&solved, &figures, &context.experiment.search);
     Ok(Done { solved, mesh, figures, boundary, warnings })

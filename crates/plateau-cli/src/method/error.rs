@@ -31,6 +31,16 @@ pub enum MethodError {
         /// Evaluations made.
         evaluations: u64,
     },
+    /// The Coons mask determines no net at even degrees from 6.
+    #[error(
+        "the Coons mask is exactly singular at every even degree from 6, and this net has degree {degree}: some nets that \
+         vanish on the border satisfy it too. Use an odd degree (raise = 1), construction = \"discrete-coons\", or \
+         energy = \"coons\""
+    )]
+    SingularMask {
+        /// Degree of the net.
+        degree: usize,
+    },
     /// Harmonic nets are offered up to a degree only.
     #[error("a harmonic net of degree {degree} is beyond the largest offered, {max}")]
     HarmonicDegree {

@@ -1,18 +1,31 @@
 //! The extremal of a quadratic energy with the boundary net fixed.
 
-use bases::Basis;
-use energy::QuadraticForm;
+use bases::{Basis, Matrix};
+use energy::{MetricForm, QuadraticForm};
 use solve::{Partition, Samples, Separable, solve_partitioned};
 use surfaces::{Product, TensorPatch};
 
 use super::{MethodError, SolveFigures, extremal_energy, functional, prefers_separable};
-use crate::{Energy, Method, SolverChoice};
+use crate::{Energy, Interior, Method, SolverChoice};
 
-/// `patch` with its free control points at the extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
+/// `patch` with its free control points at the extremal of the method's energy, then its metric steps (TRI Prop. 5): each
+/// the extremal of the Dirichlet energy in the metric of the patch before.
 pub(super) fn solve(
     patch: &TensorPatch,
     method: &Method,
 ) -> Result<(TensorPatch, SolveFigures), MethodError> {
+    let (mut solved, mut figures) = by_energy(patch, method)?;
+    if let Interior::Extremal { metric_steps, .. } = method.interior {
+        for _ in 0..metric_steps {
+            let metric = MetricForm::of_tensor(&solved, &solved)?;
+            (solved, figures) = by_matrix(patch, metric.form.matrix())?;
+        }
+    }
+    Ok((solved, figures))
+}
+
+/// The extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
+fn by_energy(patch: &TensorPatch, method: &Method) -> Result<(TensorPatch, SolveFigures), MethodError> {
     let energy = extremal_energy(method).ok_or(MethodError::Unavailable { what: "this construction" })?;
     let functional = functional(energy).ok_or(MethodError::Unavailable { what: "energy = \"area\"" })?;
     let net = patch.net();
@@ -25,7 +38,12 @@ pub(super) fn solve(
             return by_separation(patch, product);
         }
     }
-    let matrix = QuadraticForm::of(functional, patch)?.matrix();
+    by_matrix(patch, &QuadraticForm::of(functional, patch)?.matrix())
+}
+
+/// The extremal of the form Q given as a dense matrix over all points.
+fn by_matrix(patch: &TensorPatch, matrix: &Matrix) -> Result<(TensorPatch, SolveFigures), MethodError> {
+    let net = patch.net();
     let partition = Partition::new(net.fixed());
     let solution = solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())?;
     let figures = SolveFigures {

@@ -6,9 +6,11 @@ mod harmonic;
 mod mask;
 mod reduced;
 mod search;
+mod triangle;
 
 use surfaces::{
-    Mesh, Net, Patch as SurfacePatch, Point, TensorPatch, discrete_coons, rectangular_mask, tb_coons,
+    Mesh, Net, Patch as SurfacePatch, Point, TensorPatch, TrianglePatch, discrete_coons, rectangular_mask,
+    tb_coons,
 };
 
 pub use error::MethodError;
@@ -55,6 +57,8 @@ impl SolveFigures {
 pub enum Surface {
     /// On a rectangular net.
     Tensor(TensorPatch),
+    /// On a triangular net.
+    Triangle(TrianglePatch),
 }
 
 impl Surface {
@@ -62,6 +66,7 @@ impl Surface {
     pub fn patch(&self) -> &dyn SurfacePatch {
         match self {
             Self::Tensor(patch) => patch,
+            Self::Triangle(patch) => patch,
         }
     }
 
@@ -82,6 +87,10 @@ pub(crate) struct Context<'a> {
 /// Runs one method.
 pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
     let boundary = &context.experiment.boundary;
+    if let Boundary::Triangle { ab, bc, ca } = boundary {
+        let (patch, solve) = triangle::solve(method, [ab, bc, ca])?;
+        return Ok(Solved { surface: Surface::Triangle(patch), shape: None, solve, search: None });
+    }
     let (net, construction) = construct(method, boundary)?;
     let (shape, search) = match method.shape {
         Shape::None => (None, None),

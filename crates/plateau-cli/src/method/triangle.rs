@@ -1,0 +1,66 @@
+//! Triangular patches over three boundary polygons (TRI, COONS).
+
+use energy::{DenseForm, MetricForm};
+use solve::{Partition, Solution, solve_partitioned};
+use surfaces::{Point, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
+
+use super::{MethodError, SolveFigures, functional, mask};
+use crate::{Energy, Interior, Mask, Method};
+
+/// Runs one method over the sides `ab`, `bc`, `ca`.
+pub(super) fn solve(
+    method: &Method,
+    [ab, bc, ca]: [&[[f64; 3]]; 3],
+) -> Result<(TrianglePatch, Option<SolveFigures>), MethodError> {
+    let points = |side: &[[f64; 3]]| side.iter().copied().map(Point::from).collect::<Vec<_>>();
+    let net = TriangleNet::from_boundary(&points(ab), &points(bc), &points(ca))?.raised(method.raise)?;
+    match method.interior {
+        Interior::Extremal { energy, metric_steps } => extremal(net, energy, metric_steps),
+        Interior::Mask(mask) => by_mask(&net, mask),
+        Interior::DiscreteCoons => {
+            let [ab, bc, ca] = net.boundary();
+            let net = discrete_coons_triangle(&ab, &bc, &ca)?;
+            Ok((TrianglePatch::new(net)?, Some(SolveFigures::EXPLICIT)))
+        }
+        Interior::Harmonic => Err(MethodError::Unavailable { what: "a harmonic triangular net" }),
+    }
+}
+
+/// The extremal of a quadratic energy, then the metric correction (TRI Prop. 5): each step the extremal of the Dirichlet
+/// energy in the metric of the patch before.
+fn extremal(
+    net: TriangleNet,
+    energy: Energy,
+    metric_steps: usize,
+) -> Result<(TrianglePatch, Option<SolveFigures>), MethodError> {
+    let functional = functional(energy).ok_or(MethodError::Unavailable { what: "energy = \"area\"" })?;
+    let (mut patch, mut figures) = minimise(&DenseForm::of_triangle(functional, net.degree())?, &net)?;
+    for _ in 0..metric_steps {
+        let metric = MetricForm::of_triangle(&patch, net.degree())?;
+        (patch, figures) = minimise(&metric.form, &net)?;
+    }
+    Ok((patch, Some(figures)))
+}
+
+/// The net of least energy with its fixed points as they are.
+fn minimise(form: &DenseForm, net: &TriangleNet) -> Result<(TrianglePatch, SolveFigures), MethodError> {
+    let partition = Partition::new(net.fixed());
+    let matrix = form.matrix();
+    let Solution { x, residual, condition } =
+        solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())?;
+    let figures = SolveFigures { solver: "dense", residual, condition, basis_condition: None };
+    Ok((TrianglePatch::new(net.with_coordinates(&x)?)?, figures))
+}
+
+fn by_mask(net: &TriangleNet, mask: Mask) -> Result<(TrianglePatch, Option<SolveFigures>), MethodError> {
+    let stencil = match mask {
+        Mask::Alpha(alpha) => TriangleMask::Symmetric(alpha),
+        Mask::Dirichlet => TriangleMask::Dirichlet,
+        Mask::Coons => TriangleMask::Coons,
+    };
+    if stencil.is_singular(net.degree()) {
+        return Err(MethodError::SingularMask { degree: net.degree() });
+    }
+    let (coordinates, figures) = mask::solve(&stencil.system(net)?, net.fixed(), &net.coordinates())?;
+    Ok((TrianglePatch::new(net.with_coordinates(&coordinates)?)?, Some(figures)))
+}
