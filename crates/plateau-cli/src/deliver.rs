@@ -3,12 +3,13 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use surfaces::Mesh;
 use thiserror::Error;
 
 use crate::export::{Subject, exporter};
 use crate::result::ResultFile;
-use crate::run::Finished;
-use crate::{Plan, atomic};
+use crate::run::{Done, Finished};
+use crate::{Format, Plan, atomic, export};
 
 /// A result that could not be kept.
 #[derive(Debug, Error)]
@@ -41,10 +42,29 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<PathBuf, 
             }
         }
     }
+    if plan.output.formats.contains(&Format::Glb)
+        && let Some((helicoid, catenoid, weights)) = deformation(finished)
+    {
+        write("deformation.glb", &|out| {
+            export::deformation::write(&finished.title, helicoid, catenoid, &weights, out)
+        })?;
+    }
+    if let Some(curve) = &finished.curve {
+        write("curve.csv", &|out| export::csv::write(curve, out))?;
+    }
     write("result.json", &|out| {
         out.write_all(ResultFile::new(finished).to_json().map_err(io::Error::other)?.as_bytes())
     })?;
     Ok(folder)
+}
+
+/// The meshes of right helicoid and catenoid, and the weights of every frame, if the experiment is a deformation and no
+/// frame failed.
+fn deformation(finished: &Finished) -> Option<(&Mesh, &Mesh, Vec<[f64; 2]>)> {
+    let frames = finished.methods.get(1..).filter(|frames| frames.len() > 1)?;
+    let done: Vec<&Done> = frames.iter().map(|f| f.outcome.as_deref().ok()).collect::<Option<_>>()?;
+    let weights = done.iter().map(|done| done.closed_form?.weights).collect::<Option<_>>()?;
+    Some((&done.first()?.mesh, &done.last()?.mesh, weights))
 }
 
 /// Names of methods as names of files: lower case, words joined by dashes, made distinct by a number where needed.

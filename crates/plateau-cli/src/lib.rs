@@ -30,10 +30,13 @@
 mod arithmetic;
 mod atomic;
 mod boundary_figures;
+mod closed_form;
+mod curve;
 mod deliver;
 mod diagnostic;
 mod export;
 mod figures;
+mod helicoid;
 mod method;
 mod plan;
 mod progress;
@@ -45,6 +48,8 @@ mod template;
 
 pub use arithmetic::Arithmetic;
 pub use boundary_figures::BoundaryFigures;
+pub use closed_form::ClosedForm;
+pub use curve::CurveResult;
 pub use deliver::{DeliverError, deliver};
 pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use figures::Figures;

@@ -6,6 +6,12 @@ use surfaces::{Net, TriangleNet};
 use crate::run::{Finished, MethodResult};
 use crate::{SearchOutcome, SearchRun, Surface};
 
+mod curve;
+mod pieces;
+
+use curve::CurveEntry;
+use pieces::{PieceEntry, piece_entries, single_net};
+
 /// The version of the layout; the number after the slash changes only if a program reading it would break.
 pub const SCHEMA: &str = "plateau-result/1";
 
@@ -17,6 +23,8 @@ pub struct ResultFile {
     title: String,
     seed: u64,
     methods: Vec<MethodEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curve: Option<CurveEntry>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
 }
@@ -55,6 +63,12 @@ struct DoneEntry {
     shape: Option<[f64; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<NetEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pieces: Option<Vec<PieceEntry>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    weights: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    deviation: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     solver: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -138,6 +152,7 @@ impl ResultFile {
             title: finished.title.clone(),
             seed: finished.seed,
             methods,
+            curve: finished.curve.as_ref().map(CurveEntry::new),
             warnings: finished.warnings.clone(),
         }
     }
@@ -178,10 +193,17 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         mean_curvature: (f.mean_curvature_max.or(f.mean_curvature_rms).is_some())
             .then_some(MeanCurvature { max_abs: f.mean_curvature_max, rms: f.mean_curvature_rms }),
         shape: done.solved.shape,
-        net: Some(match &done.solved.surface {
-            Surface::Tensor(patch) => NetEntry::Rows(rows(patch.net())),
-            Surface::Triangle(patch) => NetEntry::Triangle(indexed(patch.net())),
-        }),
+        net: match &done.solved.surface {
+            Surface::Tensor(patch) => Some(NetEntry::Rows(rows(patch.net()))),
+            Surface::Triangle(patch) => Some(NetEntry::Triangle(indexed(patch.net()))),
+            Surface::Pieces(pieces) => single_net(pieces).map(NetEntry::Rows),
+        },
+        pieces: match &done.solved.surface {
+            Surface::Pieces(pieces) => piece_entries(pieces),
+            Surface::Tensor(_) | Surface::Triangle(_) => None,
+        },
+        weights: done.closed_form.and_then(|form| form.weights),
+        deviation: done.closed_form.map(|form| form.deviation).and_then(finite),
         solver: solve.map(|s| s.solver),
         residual: solve.and_then(|s| finite(s.residual)),
         condition: solve.and_then(|s| finite(s.condition)),

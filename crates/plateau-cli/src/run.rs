@@ -1,9 +1,11 @@
 //! Running a plan: all methods of an experiment, their figures, what the file expected of them.
 
+use crate::curve;
+use crate::helicoid::{helicoids, trapezium};
 use crate::method::{self, Context};
 use crate::{
-    Arithmetic, BoundaryFigures, Expected, Experiment, Figures, Method, MethodError, Plan, Progress,
-    Published, Quantity, Solved, Surface,
+    Arithmetic, BoundaryFigures, ClosedForm, CurveResult, Expected, Experiment, Figures, Method, MethodError,
+    Plan, Progress, Published, Quantity, Solved, Surface,
 };
 
 /// Choices that are not part of the experiment.
@@ -25,6 +27,8 @@ pub struct Finished {
     pub seed: u64,
     /// One entry per method, in the order of the file.
     pub methods: Vec<MethodResult>,
+    /// The sampled curve, of curve experiments; they have no methods.
+    pub curve: Option<CurveResult>,
     /// What a reader must know about the whole experiment.
     pub warnings: Vec<String>,
 }
@@ -55,6 +59,8 @@ pub struct Done {
     pub figures: Figures,
     /// What its boundary admits and how far it moved, for patches on the unit square.
     pub boundary: Option<BoundaryFigures>,
+    /// How it compares with its closed form, for surfaces that have one.
+    pub closed_form: Option<ClosedForm>,
     /// What a reader must know about this method.
     pub warnings: Vec<String>,
 }
@@ -73,24 +79,35 @@ pub struct Missed {
 /// Runs every method of a plan. A method that fails takes none of the others with it.
 ///
 /// # Errors
-/// [`MethodError::Unavailable`] for kinds of experiment that this version does not run.
+/// As for a method, of the one curve of a curve experiment.
 pub fn run(plan: &Plan, options: Options, progress: &dyn Progress) -> Result<Finished, MethodError> {
-    let Experiment::Patch(experiment) = &plan.experiment else {
-        return Err(MethodError::Unavailable { what: "this kind of experiment" });
+    let (title, seed) = (plan.title.clone(), options.seed.unwrap_or(plan.seed));
+    let mut finished = Finished { title, seed, methods: Vec::new(), curve: None, warnings: Vec::new() };
+    let mesh = plan.output.mesh;
+    match &plan.experiment {
+        Experiment::Patch(experiment) => {
+            let context = Context { experiment, seed, arithmetic: options.arithmetic, progress };
+            finished.methods = patches(&context, mesh);
+        }
+        Experiment::Helicoid(helicoid) => finished.methods = helicoids(helicoid, mesh, progress),
+        Experiment::TrapeziumHelicoid(helicoid) => finished.methods = vec![trapezium(helicoid, mesh)],
+        Experiment::Curve(curve) => {
+            let sampled = curve::sample(curve)?;
+            finished.warnings = sampled.warnings(curve);
+            finished.curve = Some(sampled);
+        }
+    }
+    Ok(finished)
+}
+
+fn patches(context: &Context<'_>, mesh: usize) -> Vec<MethodResult> {
+    let result = |method: &Method| MethodResult {
+        name: method.name.clone(),
+        outcome: run_method(method, context, mesh).map(Box::new),
+        expect: method.expect.clone(),
+        published: method.published.clone(),
     };
-    let seed = options.seed.unwrap_or(plan.seed);
-    let context = Context { experiment, seed, arithmetic: options.arithmetic, progress };
-    let methods = experiment
-        .methods
-        .iter()
-        .map(|method| MethodResult {
-            name: method.name.clone(),
-            outcome: run_method(method, &context, plan.output.mesh).map(Box::new),
-            expect: method.expect.clone(),
-            published: method.published.clone(),
-        })
-        .collect();
-    Ok(Finished { title: plan.title.clone(), seed, methods, warnings: Vec::new() })
+    context.experiment.methods.iter().map(result).collect()
 }
 
 fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Done, MethodError> {
@@ -99,30 +116,36 @@ fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Don
     let figures = Figures::of(solved.surface.patch(), &mesh)?;
     let boundary = match &solved.surface {
         Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
-        Surface::Triangle(_) => None,
+        Surface::Triangle(_) | Surface::Pieces(_) => None,
     };
     let warnings = crate::report::warnings(&solved, &figures, &context.experiment.search);
-    Ok(Done { solved, mesh, figures, boundary, warnings })
+    Ok(Done { solved, mesh, figures, boundary, closed_form: None, warnings })
 }
 
 impl Finished {
     /// The expected numbers that were not met; a method that failed meets none.
     pub fn missed(&self) -> Vec<Missed> {
-        let mut missed = Vec::new();
-        for method in &self.methods {
-            for expected in &method.expect {
-                let ours = method.figure(expected.quantity);
-                if !ours.is_some_and(|ours| expected.is_met_by(ours)) {
-                    missed.push(Missed { method: method.name.clone(), expected: expected.clone(), ours });
-                }
-            }
-        }
-        missed
+        self.comparisons()
+            .filter(|(_, expected, ours)| !ours.is_some_and(|ours| expected.is_met_by(ours)))
+            .map(|(name, expected, ours)| Missed { method: name.into(), expected: expected.clone(), ours })
+            .collect()
     }
 
     /// How many numbers the file expects.
     pub fn expected(&self) -> usize {
-        self.methods.iter().map(|method| method.expect.len()).sum()
+        self.comparisons().count()
+    }
+
+    /// Every expected number with its method and ours.
+    fn comparisons(&self) -> impl Iterator<Item = (&str, &Expected, Option<f64>)> {
+        let of_methods = self.methods.iter().flat_map(|method| {
+            method.expect.iter().map(|e| (method.name.as_str(), e, method.figure(e.quantity)))
+        });
+        let of_curve = self
+            .curve
+            .iter()
+            .flat_map(|curve| curve.expect.iter().map(|e| ("curve", e, curve.figure(e.quantity))));
+        of_methods.chain(of_curve)
     }
 
     /// The methods that failed, with their errors.
@@ -149,7 +172,8 @@ impl MethodResult {
             Quantity::SearchMinimum => solved.search.as_ref().map(|s| s.minimum),
             Quantity::BoundaryDeviation => done.boundary.map(|b| b.deviation),
             Quantity::HarmonicBound => done.boundary.map(|b| b.harmonic_bound),
-            Quantity::Deviation | Quantity::Curvature(_) => None,
+            Quantity::Deviation => done.closed_form.map(|form| form.deviation),
+            Quantity::Curvature(_) => None,
         }
     }
 }

@@ -1,5 +1,9 @@
 //! Meshes and surfaces as files for other programs, one format a file.
 
+mod colour;
+pub(crate) mod csv;
+pub(crate) mod deformation;
+mod glb;
 mod obj;
 
 use std::io::{self, Write};
@@ -26,6 +30,14 @@ pub(crate) trait Export {
 pub(crate) fn exporter(format: Format) -> Option<&'static dyn Export> {
     match format {
         Format::Obj => Some(&obj::Obj),
+        Format::Glb => Some(&glb::Glb),
         _ => None,
     }
+}
+
+/// The least box around points: its least and its greatest corner.
+fn extent(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], p| {
+        [std::array::from_fn(|k| low[k].min(p[k])), std::array::from_fn(|k| high[k].max(p[k]))]
+    })
 }

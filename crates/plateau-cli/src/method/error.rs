@@ -78,6 +78,14 @@ pub enum MethodError {
         /// The largest relative misfit.
         misfit: f64,
     },
+    /// Derivatives of a curve are not finite.
+    #[error(
+        "the derivatives of the curve near t = {t} are beyond double precision: scale its points or its span"
+    )]
+    Overflow {
+        /// The parameter.
+        t: f64,
+    },
     /// The user ended the work before this method had a result.
     #[error("interrupted before it had a result")]
     Interrupted,

@@ -9,8 +9,8 @@ mod search;
 mod triangle;
 
 use surfaces::{
-    Mesh, Net, Patch as SurfacePatch, Point, TensorPatch, TrianglePatch, discrete_coons, rectangular_mask,
-    tb_coons,
+    Mesh, Net, Patch as SurfacePatch, Pieces, Point, TensorPatch, TrianglePatch, discrete_coons,
+    rectangular_mask, tb_coons,
 };
 
 pub use error::MethodError;
@@ -59,6 +59,8 @@ pub enum Surface {
     Tensor(TensorPatch),
     /// On a triangular net.
     Triangle(TrianglePatch),
+    /// On several rectangular nets that meet, or one.
+    Pieces(Pieces),
 }
 
 impl Surface {
@@ -67,6 +69,7 @@ impl Surface {
         match self {
             Self::Tensor(patch) => patch,
             Self::Triangle(patch) => patch,
+            Self::Pieces(pieces) => pieces,
         }
     }
 

@@ -16,7 +16,7 @@ use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{CurveSpec, ExpectSpec, Key, Samples, Section};
 
 /// Most samples of a curve.
-const MOST_SAMPLES: usize = 1_000_000;
+const MOST_SAMPLES: usize = 100_000;
 
 /// Samples of a curve that does not say how many.
 const SAMPLES: usize = 101;

@@ -1,5 +1,8 @@
 //! What is said of a result in words and tables.
 
+mod curve_table;
+mod grid;
+mod helicoid_table;
 mod table;
 mod warnings;
 

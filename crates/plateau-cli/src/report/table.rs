@@ -2,57 +2,44 @@
 
 use std::fmt::Write;
 
+use super::curve_table::curve_table;
+use super::helicoid_table::helicoid_table;
+use super::grid::{Column, figure, grid};
 use crate::run::{Done, Finished, MethodResult};
 
-const COLUMNS: usize = 9;
-const HEADINGS: [&str; COLUMNS] = [
-    "method",
-    "Dirichlet D",
-    "bound of D",
-    "area A",
-    "± of A",
-    "(D−A)/A",
-    "max |H|",
-    "boundary",
-    "shape parameters",
+const COLUMNS: [Column; 9] = [
+    words("method", ""),
+    number("Dirichlet D", "length²"),
+    number("bound of D", "length²"),
+    number("area A", "length²"),
+    number("± of A", "length²"),
+    number("(D−A)/A", ""),
+    number("max |H|", "1/length"),
+    number("boundary", "moved by"),
+    words("shape parameters", "α1 α2 β1 β2"),
 ];
-const UNITS: [&str; COLUMNS] =
-    ["", "length²", "length²", "length²", "length²", "", "1/length", "moved by", "α1 α2 β1 β2"];
+
+const fn words(heading: &'static str, unit: &'static str) -> Column {
+    Column { heading, unit, is_words: true }
+}
+
+const fn number(heading: &'static str, unit: &'static str) -> Column {
+    Column { heading, unit, is_words: false }
+}
 
 /// The table as text: the title, one row a method, then the warnings of each method.
 ///
 /// The columns of the papers' tables, with the Dirichlet energy and the area apart, and beside them what keeps a comparison
 /// honest: the least Dirichlet energy that the patch's own boundary curves admit, the area's quadrature error, the
-/// conformality gap, and how far the boundary curves lie from the Bernstein curves of the net.
+/// conformality gap, and how far the boundary curves lie from the Bernstein curves of the net. Columns that no method
+/// fills are left out.
 pub fn table(finished: &Finished) -> String {
-    let rows: Vec<[String; COLUMNS]> = finished.methods.iter().map(row).collect();
-    let mut widths = [0; COLUMNS];
-    for cells in rows.iter().map(|r| r.each_ref().map(|s| s.as_str())).chain([HEADINGS, UNITS]) {
-        for (width, cell) in widths.iter_mut().zip(cells) {
-            *width = (*width).max(cell.chars().count());
-        }
-    }
     let mut text = format!("{}\n\n", finished.title);
-    let mut line = |cells: [&str; COLUMNS]| {
-        let mut out = String::new();
-        for (k, (cell, width)) in cells.into_iter().zip(widths).enumerate() {
-            let pad = " ".repeat(width - cell.chars().count());
-            // Names and the list of shapes are read from the left, numbers from the right.
-            let cell =
-                if k == 0 || k == COLUMNS - 1 { format!("{cell}{pad}") } else { format!("{pad}{cell}") };
-            out.push_str(&cell);
-            out.push_str("   ");
-        }
-        text.push_str(out.trim_end());
-        text.push('\n');
+    text += &match &finished.curve {
+        Some(curve) => curve_table(curve),
+        None if finished.methods.iter().any(has_closed_form) => helicoid_table(finished),
+        None => patch_table(finished),
     };
-    line(HEADINGS);
-    line(UNITS);
-    let rules = widths.map(|w| "─".repeat(w));
-    line(rules.each_ref().map(String::as_str));
-    for row in &rows {
-        line(row.each_ref().map(String::as_str));
-    }
     for method in &finished.methods {
         notes(&mut text, method);
     }
@@ -60,6 +47,20 @@ pub fn table(finished: &Finished) -> String {
         let _ = writeln!(text, "note: {warning}");
     }
     text
+}
+
+fn has_closed_form(method: &MethodResult) -> bool {
+    method.outcome.as_ref().is_ok_and(|done| done.closed_form.is_some())
+}
+
+fn patch_table(finished: &Finished) -> String {
+    let rows: Vec<[String; 9]> = finished.methods.iter().map(row).collect();
+    let filled: Vec<usize> =
+        (0..COLUMNS.len()).filter(|&k| rows.iter().any(|row| !row[k].is_empty())).collect();
+    let columns: Vec<Column> = filled.iter().map(|&k| COLUMNS[k]).collect();
+    let rows: Vec<Vec<String>> =
+        rows.into_iter().map(|row| filled.iter().map(|&k| row[k].clone()).collect()).collect();
+    grid(&columns, &rows)
 }
 
 fn notes(text: &mut String, method: &MethodResult) {
@@ -75,9 +76,9 @@ fn notes(text: &mut String, method: &MethodResult) {
     }
 }
 
-fn row(method: &MethodResult) -> [String; COLUMNS] {
+fn row(method: &MethodResult) -> [String; 9] {
     let Ok(done) = &method.outcome else {
-        let mut cells = [const { String::new() }; COLUMNS];
+        let mut cells = [const { String::new() }; 9];
         cells[0].clone_from(&method.name);
         cells[1] = "failed".into();
         return cells;
@@ -86,9 +87,9 @@ fn row(method: &MethodResult) -> [String; COLUMNS] {
     let boundary = done.boundary.as_ref();
     [
         method.name.clone(),
-        format!("{:.7}", f.dirichlet.value),
-        boundary.map_or(String::new(), |b| format!("{:.5}", b.harmonic_bound)),
-        format!("{:.7}", f.area.value),
+        figure(f.dirichlet.value),
+        boundary.map_or(String::new(), |b| figure(b.harmonic_bound)),
+        figure(f.area.value),
         format!("{:.1e}", f.area.error),
         f.conformality_gap.map_or(String::new(), |gap| format!("{:.4} %", 100.0 * gap)),
         f.mean_curvature_max.map_or("singular".into(), |h| format!("{h:.5}")),
@@ -103,7 +104,7 @@ fn moved(deviation: f64) -> String {
 }
 
 fn shape(done: &Done) -> String {
-    let Some(shape) = done.solved.shape else { return "–".into() };
+    let Some(shape) = done.solved.shape else { return String::new() };
     if shape.iter().all(|x| (x - shape[0]).abs() < 5e-6) {
         return format!("{:.5} (all four)", shape[0]);
     }

@@ -1,0 +1,228 @@
+//! Curve experiments: a curve sampled with its derivatives and its curvature.
+
+use std::sync::Arc;
+
+use bases::{Aht, At, Basis, Bernstein, GaussLegendre, Gt, Matrix};
+use surfaces::{CurveJet, Point};
+
+use crate::{Curve, CurveBasis, Expected, MethodError, Quantity};
+
+/// A curve that was sampled. All lists have one entry per sample, in the order of the file.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct CurveResult {
+    /// The basis in words: `GT, degree 3, θ = (1, 2)`.
+    pub name: String,
+    /// Parameters of the samples.
+    pub t: Vec<f64>,
+    /// Values (row 0), first (row 1) and second derivatives (row 2) of the functions of the basis.
+    pub basis: Vec<Matrix>,
+    /// Points and derivatives.
+    pub jets: Vec<CurveJet>,
+    /// Signed curvature of planar curves, curvature of space curves, 1/length; none where the tangent vanishes to within
+    /// rounding.
+    pub curvature: Vec<Option<f64>>,
+    /// Coordinates of a point: 2 or 3.
+    pub dimension: usize,
+    /// Length of the curve, and the error believed.
+    pub length: [f64; 2],
+    /// Numbers the file expects.
+    pub expect: Vec<Expected>,
+}
+
+/// Samples the curve of a plan.
+///
+/// # Errors
+/// [`MethodError::Surface`], [`MethodError::Basis`] for what the plan could not know; [`MethodError::Overflow`] for
+/// derivatives beyond double precision.
+pub(crate) fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
+    let basis = family(plan)?;
+    let points: Vec<Point> = plan.points.iter().copied().map(Point::from).collect();
+    let curve = surfaces::Curve::new(basis.clone(), points)?;
+    let mut result = CurveResult {
+        name: described(plan),
+        t: plan.samples.clone(),
+        basis: Vec::with_capacity(plan.samples.len()),
+        jets: Vec::with_capacity(plan.samples.len()),
+        curvature: Vec::with_capacity(plan.samples.len()),
+        dimension: plan.dimension,
+        length: length(&curve)?,
+        expect: plan.expect.clone(),
+    };
+    for &t in &plan.samples {
+        let (table, jet) = (basis.evaluate(t, 2), curve.jet(t));
+        let finite = (0..3).all(|r| table.row(r).iter().all(|x| x.is_finite()))
+            && [jet.point, jet.d1, jet.d2].iter().all(|p| p.is_finite());
+        if !finite {
+            return Err(MethodError::Overflow { t });
+        }
+        let curvature = curvature(&jet, curve.points(), table.row(1), plan.dimension);
+        result.basis.push(table);
+        result.jets.push(jet);
+        result.curvature.push(curvature.filter(|k| k.is_finite()));
+    }
+    Ok(result)
+}
+
+/// The curvature, unless the tangent is nothing but rounding.
+fn curvature(jet: &CurveJet, points: &[Point], derivatives: &[f64], dimension: usize) -> Option<f64> {
+    let summands: f64 = points.iter().zip(derivatives).map(|(p, f)| p.norm() * f.abs()).sum();
+    if jet.d1.norm() <= 16.0 * f64::EPSILON * summands {
+        return None;
+    }
+    if dimension == 2 { jet.signed_curvature() } else { jet.curvature() }
+}
+
+fn family(plan: &Curve) -> Result<Arc<dyn Basis>, MethodError> {
+    let degree = plan.points.len() - 1;
+    Ok(match plan.basis {
+        CurveBasis::Bernstein => Arc::new(Bernstein::new(degree)?),
+        CurveBasis::Gt { shape } => Arc::new(Gt::new(degree, shape)?),
+        CurveBasis::Aht { span } => Arc::new(Aht::new(span)?),
+        CurveBasis::At { span } => Arc::new(At::new(span)?),
+    })
+}
+
+fn described(plan: &Curve) -> String {
+    let degree = plan.points.len() - 1;
+    match plan.basis {
+        CurveBasis::Bernstein => format!("Bernstein, degree {degree}"),
+        CurveBasis::Gt { shape: [first, second] } => format!("GT, degree {degree}, θ = ({first}, {second})"),
+        CurveBasis::Aht { span } => format!("AHT, span {span}"),
+        CurveBasis::At { span } => format!("AT, span {span}"),
+    }
+}
+
+/// `∫ ‖c'‖` by Gauss rules of 16, 32, … points until a doubling moves it by no more than 1e-13 of its value, at most 512
+/// points; and by how much the last doubling moved it.
+fn length(curve: &surfaces::Curve) -> Result<[f64; 2], MethodError> {
+    let (start, end) = curve.basis().domain();
+    let by_rule = |points: usize| -> Result<f64, MethodError> {
+        let rule = GaussLegendre::new(points)?.on(start, end);
+        Ok(rule.iter().map(|(t, w)| w * curve.jet(t).d1.norm()).sum())
+    };
+    let (mut points, mut last) = (16, by_rule(16)?);
+    loop {
+        points *= 2;
+        let value = by_rule(points)?;
+        if !value.is_finite() {
+            return Err(MethodError::Overflow { t: start });
+        }
+        let error = (value - last).abs() + 16.0 * f64::EPSILON * value;
+        if error <= 1e-13 * value || points >= 512 {
+            return Ok([value, error]);
+        }
+        last = value;
+    }
+}
+
+impl CurveResult {
+    /// The sample of largest |curvature|, the first of equals: its index and its curvature. None if no sample has a curvature.
+    pub fn sharpest(&self) -> Option<(usize, f64)> {
+        let known = self.curvature.iter().enumerate().filter_map(|(k, c)| Some((k, (*c)?)));
+        known.reduce(|best, next| if next.1.abs() > best.1.abs() { next } else { best })
+    }
+
+    /// One figure of the result; curves have nothing but curvatures.
+    pub fn figure(&self, quantity: Quantity) -> Option<f64> {
+        match quantity {
+            Quantity::Curvature(k) => self.curvature.get(k).copied().flatten(),
+            _ => None,
+        }
+    }
+
+    /// The coordinates the curve has.
+    pub(crate) fn coordinates(&self, p: Point) -> Vec<f64> {
+        let mut all = Vec::from(<[f64; 3]>::from(p));
+        all.truncate(self.dimension);
+        all
+    }
+
+    /// What a reader must know.
+    pub(crate) fn warnings(&self, plan: &Curve) -> Vec<String> {
+        let mut warnings = Vec::new();
+        let singular: Vec<String> = (0..self.t.len())
+            .filter(|&k| self.curvature[k].is_none())
+            .map(|k| self.t[k].to_string())
+            .collect();
+        if !singular.is_empty() {
+            let shown = singular.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
+            let more =
+                if singular.len() > 5 { format!(" and {} more", singular.len() - 5) } else { String::new() };
+            warnings.push(format!(
+                "the tangent vanishes at t = {shown}{more}: there is no curvature there, and result.json has no list \
+                 of them; curve.csv has those of the other samples"
+            ));
+        }
+        let bound = match plan.basis {
+            CurveBasis::Aht { span } => Some((span, Aht::SUPREMUM, "AHT")),
+            CurveBasis::At { span } => Some((span, At::SUPREMUM, "AT")),
+            _ => None,
+        };
+        if let Some((span, bound, basis)) = bound
+            && span > 0.95 * bound
+        {
+            let share = 100.0 * (1.0 - span / bound);
+            warnings.push(format!(
+                "the span lies within {share:.2} % of the bound {bound:.6} of the {basis} basis, where curves lose digits \
+                 and control points grow: cut the curve into two"
+            ));
+        }
+        let [length, error] = self.length;
+        if error > 1e-9 * length {
+            warnings
+                .push(format!("the length has not settled: {length} ± {error:.1e}; the curve has a cusp"));
+        }
+        warnings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Experiment, Plan};
+
+    fn sampled(body: &str) -> Result<CurveResult, MethodError> {
+        let text = format!("title = \"c\"\n[curve]\n{body}");
+        let plan = Plan::parse("c.toml", &text).unwrap_or_else(|refusal| panic!("{}", refusal.render(false)));
+        let Experiment::Curve(curve) = &plan.experiment else { panic!() };
+        sample(curve)
+    }
+
+    #[test]
+    fn a_cusp_has_no_curvature_and_the_other_samples_keep_theirs() {
+        // (1 − 2t)² and (1 − 2t)³: the cusp is at t = 1/2, far from the origin.
+        let body = "basis = \"bernstein\"\nsamples = [0.25, 0.5, 0.75]\n\
+                    points = [[1001, 101], [1000.3333333333334, 99], [1000.3333333333334, 101], [1001, 99]]";
+        let result = sampled(body).unwrap();
+        assert!(result.curvature[0].is_some() && result.curvature[2].is_some());
+        assert_eq!(result.curvature[1], None, "{:?}", result.jets[1].d1);
+    }
+
+    #[test]
+    fn a_point_is_no_curve_but_no_panic() {
+        let result = sampled("basis = \"bernstein\"\npoints = [[1, 2], [1, 2]]\nsamples = 2").unwrap();
+        assert_eq!((result.sharpest(), result.length[0]), (None, 0.0));
+    }
+
+    #[test]
+    fn derivatives_beyond_double_precision_are_an_error() {
+        let points = "points = [[0,0],[1e150,0],[0,1e150],[0,0],[1,1],[2,2]]";
+        let body = format!("basis = \"at\"\nspan = 1e-100\n{points}\nsamples = 3");
+        assert!(matches!(sampled(&body), Err(MethodError::Overflow { .. })));
+    }
+
+    #[test]
+    fn a_circle_has_its_length_and_curvature() {
+        let control = std::f64::consts::FRAC_PI_4;
+        let (far, high) = (0.378_861_061_722_595_66, 1.273_239_544_735_162_7);
+        let body = format!(
+            "basis = \"at\"\nspan = {}\nsamples = 21\n\
+             points = [[1, 0], [1, {control}], [{far}, {high}], [-{far}, {high}], [-1, {control}], [-1, 0]]",
+            std::f64::consts::PI
+        );
+        let result = sampled(&body).unwrap();
+        assert!((result.length[0] - std::f64::consts::PI).abs() < 1e-14);
+        assert!(result.curvature.iter().all(|k| (k.unwrap() - 1.0).abs() < 1e-13));
+    }
+}

@@ -1,0 +1,68 @@
+/// A column of a table on the terminal.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Column {
+    pub(crate) heading: &'static str,
+    pub(crate) unit: &'static str,
+    /// Words are read from the left, numbers from the right.
+    pub(crate) is_words: bool,
+}
+
+/// Headings, units, a rule and the rows, aligned; every row has one cell per column.
+pub(crate) fn grid(columns: &[Column], rows: &[Vec<String>]) -> String {
+    let has_units = columns.iter().any(|column| !column.unit.is_empty());
+    let width = |k: usize| {
+        let cells = rows.iter().map(|row| row[k].as_str());
+        cells.chain([columns[k].heading, columns[k].unit]).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns.len()).map(width).collect();
+    let line = |cells: &mut dyn Iterator<Item = &str>| {
+        let mut text = String::new();
+        for ((cell, column), width) in cells.zip(columns).zip(&widths) {
+            let pad = " ".repeat(width - cell.chars().count());
+            let [left, right] = if column.is_words { [cell, pad.as_str()] } else { [pad.as_str(), cell] };
+            text.extend([left, right, "   "]);
+        }
+        text.truncate(text.trim_end().len());
+        text + "\n"
+    };
+    let mut text = line(&mut columns.iter().map(|column| column.heading));
+    if has_units {
+        text += &line(&mut columns.iter().map(|column| column.unit));
+    }
+    let rules: Vec<String> = widths.iter().map(|width| "─".repeat(*width)).collect();
+    text += &line(&mut rules.iter().map(String::as_str));
+    for row in rows {
+        text += &line(&mut row.iter().map(String::as_str));
+    }
+    text
+}
+
+/// A figure with seven decimals, or with an exponent where that would be unreadable.
+pub(crate) fn figure(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || (1e-4..1e9).contains(&size) { format!("{value:.7}") } else { format!("{value:.7e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_aligned_by_characters_not_bytes() {
+        let columns = [
+            Column { heading: "name", unit: "", is_words: true },
+            Column { heading: "κ", unit: "1/length", is_words: false },
+        ];
+        let rows = [vec!["θ".to_owned(), "1.5".to_owned()], vec!["longer".to_owned(), String::new()]];
+        let expected = "name            κ\n         1/length\n──────   ────────\nθ             1.5\nlonger\n";
+        assert_eq!(grid(&columns, &rows), expected);
+    }
+
+    #[test]
+    fn figures_stay_readable_at_any_size() {
+        assert_eq!(
+            [0.0, 37.5, -1e-7, 2.5e90].map(figure),
+            ["0.0000000", "37.5000000", "-1.0000000e-7", "2.5000000e90"]
+        );
+    }
+}

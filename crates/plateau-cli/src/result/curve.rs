@@ -1,0 +1,44 @@
+use serde::Serialize;
+
+use crate::CurveResult;
+
+/// A sampled curve; every list has one row per sample.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct CurveEntry {
+    name: String,
+    length: f64,
+    length_error: f64,
+    t: Vec<f64>,
+    basis: Vec<Vec<f64>>,
+    basis_d1: Vec<Vec<f64>>,
+    basis_d2: Vec<Vec<f64>>,
+    point: Vec<Vec<f64>>,
+    d1: Vec<Vec<f64>>,
+    d2: Vec<Vec<f64>>,
+    /// Left out if one sample has none: a list with holes would be read as one without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curvature: Option<Vec<f64>>,
+}
+
+impl CurveEntry {
+    pub(super) fn new(curve: &CurveResult) -> Self {
+        let order = |r: usize| curve.basis.iter().map(|table| table.row(r).to_vec()).collect();
+        let along = |point: fn(&surfaces::CurveJet) -> surfaces::Point| {
+            curve.jets.iter().map(|jet| curve.coordinates(point(jet))).collect()
+        };
+        let [length, length_error] = curve.length;
+        Self {
+            name: curve.name.clone(),
+            length,
+            length_error,
+            t: curve.t.clone(),
+            basis: order(0),
+            basis_d1: order(1),
+            basis_d2: order(2),
+            point: along(|jet| jet.point),
+            d1: along(|jet| jet.d1),
+            d2: along(|jet| jet.d2),
+            curvature: curve.curvature.iter().copied().collect(),
+        }
+    }
+}
