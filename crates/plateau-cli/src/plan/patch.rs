@@ -207,7 +207,7 @@ pub enum SolverChoice {
 pub struct Search {
     /// Who informs a particle.
     pub variant: Variant,
-    /// Particles of a swarm, in 1..=1 000 000.
+    /// Particles of a swarm, in 1..=[`optim::MAX_PARTICLES`].
     pub particles: usize,
     /// Iterations of a run, in 1..=1 000 000.
     pub iterations: usize,

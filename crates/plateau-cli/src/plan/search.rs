@@ -29,7 +29,7 @@ pub(super) fn search(check: &mut Check<'_>, spec: &Spanned<Section<SearchSpec>>)
         None => Some(Topology::Global),
     };
     let counts = [
-        ("particles", &spec.particles, &mut search.particles, 1_000_000),
+        ("particles", &spec.particles, &mut search.particles, optim::MAX_PARTICLES),
         ("iterations", &spec.iterations, &mut search.iterations, 1_000_000),
         ("runs", &spec.runs, &mut search.runs, 10_000),
     ];

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::curve_table::curve_table;
-use super::helicoid_table::helicoid_table;
 use super::grid::{Column, figure, grid};
+use super::helicoid_table::helicoid_table;
 use crate::run::{Done, Finished, MethodResult};
 
 const COLUMNS: [Column; 9] = [
