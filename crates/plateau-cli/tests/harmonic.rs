@@ -75,7 +75,7 @@ fn solved(plan: &Plan) -> Result<Net, MethodError> {
     let method = finished.methods.into_iter().next().expect("one method");
     match method.outcome?.solved.surface {
         Surface::Tensor(patch) => Ok(patch.net().clone()),
-        Surface::Triangle(_) => panic!("a rectangular net was asked for"),
+        other => panic!("a rectangular net was asked for, not {other:?}"),
     }
 }
 
