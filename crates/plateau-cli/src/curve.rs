@@ -5,7 +5,7 @@ use std::sync::Arc;
 use bases::{Aht, At, Basis, Bernstein, GaussLegendre, Gt, Matrix};
 use surfaces::{CurveJet, Point};
 
-use crate::{Curve, CurveBasis, Expected, MethodError, Quantity};
+use crate::{Curve, CurveBasis, Expected, MethodError, Output, Quantity};
 
 /// A curve that was sampled. All lists have one entry per sample, in the order of the file.
 #[derive(Debug)]
@@ -139,8 +139,12 @@ impl CurveResult {
     }
 
     /// What a reader must know.
-    pub(crate) fn warnings(&self, plan: &Curve) -> Vec<String> {
+    pub(crate) fn warnings(&self, plan: &Curve, output: &Output) -> Vec<String> {
         let mut warnings = Vec::new();
+        if !output.formats.is_empty() {
+            let names: Vec<String> = output.formats.iter().map(ToString::to_string).collect();
+            warnings.push(format!("a curve has no mesh: nothing is written as {}", names.join(", ")));
+        }
         let singular: Vec<String> = (0..self.t.len())
             .filter(|&k| self.curvature[k].is_none())
             .map(|k| self.t[k].to_string())

@@ -93,7 +93,7 @@ pub fn run(plan: &Plan, options: Options, progress: &dyn Progress) -> Result<Fin
         Experiment::TrapeziumHelicoid(helicoid) => finished.methods = vec![trapezium(helicoid, mesh)],
         Experiment::Curve(curve) => {
             let sampled = curve::sample(curve)?;
-            finished.warnings = sampled.warnings(curve);
+            finished.warnings = sampled.warnings(curve, &plan.output);
             finished.curve = Some(sampled);
         }
     }

@@ -69,7 +69,7 @@ fn all_runs_of_the_papers_searches_end_at_the_minimum() {
 
 #[test]
 fn results_are_the_same_bytes_for_any_number_of_threads() {
-    for name in ["gt-5.1.toml", "gt-5.2-local.toml", "degree-5-4.toml"] {
+    for name in ["gt-5.1.toml", "gt-5.2-local.toml", "degree-5-4.toml", "helicoid-deformation.toml"] {
         let plan = fixture(name);
         let json = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
