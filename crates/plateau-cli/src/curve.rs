@@ -167,15 +167,17 @@ impl CurveResult {
             && span > 0.95 * bound
         {
             let share = 100.0 * (1.0 - span / bound);
+            let share = if share < 0.01 { format!("{share:.0e}") } else { format!("{share:.2}") };
             warnings.push(format!(
-                "the span lies within {share:.2} % of the bound {bound:.6} of the {basis} basis, where curves lose digits \
+                "the span lies within {share} % of the bound {bound:.6} of the {basis} basis, where curves lose digits \
                  and control points grow: cut the curve into two"
             ));
         }
         let [length, error] = self.length;
         if error > 1e-9 * length {
-            warnings
-                .push(format!("the length has not settled: {length} ± {error:.1e}; the curve has a cusp"));
+            warnings.push(format!(
+                "the length has not settled: {length} ± {error:.1e}; the curve may have a cusp"
+            ));
         }
         warnings
     }

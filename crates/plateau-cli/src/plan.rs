@@ -81,13 +81,13 @@ pub enum Experiment {
 /// `z = a v + b u` over `[0, u_span] × [0, v_span]` (AHT, with the chart of spec §7).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Helicoid {
-    /// Weight of the right helicoid; finite, |a| ≤ 1e100; a and b are not both zero.
+    /// Weight of the right helicoid; finite, |a| ≤ 1e30; a and b are not both zero.
     pub a: f64,
-    /// Weight of the catenoid; finite, |b| ≤ 1e100.
+    /// Weight of the catenoid; finite, |b| ≤ 1e30.
     pub b: f64,
-    /// Length of the u interval, at most 100. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
+    /// Length of the u interval, in [1e-6, 100]. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
     pub u_span: f64,
-    /// Length of the v interval, at most 1000. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
+    /// Length of the v interval, in [1e-6, 1000]. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
     pub v_span: f64,
     /// The deformation from (a, b) = (1, 0) to (0, 1), if `frames` was given.
     pub deformation: Option<Deformation>,
@@ -108,7 +108,7 @@ pub struct Deformation {
 /// `γ0 + β0 v ≤ w ≤ γ1 + β1 v` (AT, with the corrections of spec §7).
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrapeziumHelicoid {
-    /// Length α of the v interval, at most 1000. May exceed 2π: then several patches are needed.
+    /// Length α of the v interval, in [1e-6, 1000]. May exceed 2π: then several patches are needed.
     pub span: f64,
     /// Offsets (γ0, γ1) of the two sides.
     pub gamma: [f64; 2],

@@ -290,6 +290,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("path of degree zero", HELICOID, &[("\"linear\"", "\"bernstein\"\npath-degree = «0»")], Inadmissible, &["between 1 and 64"]),
     mutant("frames times mesh", HELICOID, &[("frames = 11", "frames = «1000»"), ("deviation = 0.000", "deviation = 0.000\n[output]\nmesh = 100")], Inadmissible, &["10201000 vertices", "mesh = 62"]),
     mutant("frames times patches", HELICOID, &[("frames = 11", "frames = «100»"), ("v-span = 6.0", "v-span = 1000"), ("u-span = 1.5", "u-span = 14")], Inadmissible, &["100 frames of 284 patches", "at most 20000"]),
+    mutant("helicoid smaller than rounding", HELICOID, &[("u-span = 1.5", "u-span = «1e-7»")], Inadmissible, &["at least 1e-6"]),
     mutant("trapezium of no length", TRAPEZIUM, &[("span = 3.9", "span = «0.0»")], Inadmissible, &["span", "above 0"]),
     mutant("trapezium of a thousand turns", TRAPEZIUM, &[("span = 3.9", "span = «6283.2»")], Inadmissible, &["at most 1000", "5.655"]),
     mutant("gamma of one", TRAPEZIUM, &[("gamma = [6.2, 12.5]", "gamma = «[6.2]»")], Inadmissible, &["gamma", "1 number instead of 2"]),

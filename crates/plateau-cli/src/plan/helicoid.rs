@@ -2,7 +2,6 @@
 
 use std::ops::RangeInclusive;
 
-use bases::{Aht, At};
 use serde_spanned::Spanned;
 
 use super::check::{Check, Table, top};
@@ -14,8 +13,11 @@ use super::{
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, Spec, TrapeziumSpec};
 
-/// Largest weight: with cosh u ≤ cosh 100 the coordinates stay far below overflow.
-const LARGEST_WEIGHT: f64 = 1e100;
+/// Largest weight: with cosh u ≤ cosh 100 the squares of area densities stay below overflow.
+const LARGEST_WEIGHT: f64 = 1e30;
+
+/// Shortest interval: on a shorter one the surface drowns in the rounding of its coordinates, its derivatives first.
+const SHORTEST: f64 = 1e-6;
 
 /// Longest intervals: cosh u stays far below overflow, the number of patches within thousands.
 const LONGEST: [f64; 2] = [100.0, 1000.0];
@@ -32,8 +34,8 @@ pub(super) fn helicoid(
     let b = weight(check, &table, "b", &spec.b);
     let piece = surfaces::Helicoid::LARGEST_PIECE;
     let [u_most, v_most] = LONGEST;
-    let u_span = length(check, &table, "u-span", &spec.u_span, Aht::MIN_SPAN..=u_most, piece);
-    let v_span = length(check, &table, "v-span", &spec.v_span, Aht::MIN_SPAN..=v_most, piece);
+    let u_span = length(check, &table, "u-span", &spec.u_span, SHORTEST..=u_most, piece);
+    let v_span = length(check, &table, "v-span", &spec.v_span, SHORTEST..=v_most, piece);
     let deformation = deformation(check, &table, spec);
     let expect = expectations(check, expect, Subject::Helicoid);
     if let (Some(0.0), Some(0.0), Some(key)) = (a, b, &spec.b) {
@@ -58,7 +60,7 @@ pub(super) fn helicoid(
 fn weight(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<Number>) -> Option<f64> {
     let help = "x = a sinh u cos v - b cosh u sin v, y = a sinh u sin v + b cosh u cos v, z = a v + b u: give both a and b";
     let key = check.required(table, name, key, help)?;
-    check.number(table, name, key, (|x| x.abs() <= LARGEST_WEIGHT, "between -1e100 and 1e100"), help)
+    check.number(table, name, key, (|x| x.abs() <= LARGEST_WEIGHT, "between -1e30 and 1e30"), help)
 }
 
 fn length(
@@ -196,7 +198,7 @@ pub(super) fn trapezium(
     let table = check.table("[trapezium-helicoid]", spec.span(), &top("trapezium-helicoid"));
     let spec = spec.get_ref();
     let piece = surfaces::TrapeziumHelicoid::LARGEST_PIECE;
-    let span = length(check, &table, "span", &spec.span, At::MIN_SPAN..=LONGEST[1], piece);
+    let span = length(check, &table, "span", &spec.span, SHORTEST..=LONGEST[1], piece);
     let gamma = pair(check, &table, "gamma", &spec.gamma);
     let beta = pair(check, &table, "beta", &spec.beta);
     let expect = expectations(check, expect, Subject::Helicoid);
@@ -236,7 +238,7 @@ fn pair(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<NumberList>)
         );
         return None;
     };
-    let admitted = || (|x: f64| x.abs() <= LARGEST_WEIGHT, "between -1e100 and 1e100");
+    let admitted = || (|x: f64| x.abs() <= LARGEST_WEIGHT, "between -1e30 and 1e30");
     let first = check.number(table, name, first, admitted(), &help);
     let second = check.number(table, name, second, admitted(), &help);
     Some([first?, second?])

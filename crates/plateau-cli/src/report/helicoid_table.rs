@@ -38,7 +38,7 @@ fn row(method: &MethodResult) -> Vec<String> {
         None => "–".into(),
     };
     let gap = match f.conformality_gap {
-        Some(gap) if gap.abs() >= 1e-6 => format!("{:.4} %", 100.0 * gap),
+        Some(gap) if (1e-6..1e4).contains(&gap.abs()) => format!("{:.4} %", 100.0 * gap),
         gap => small(gap),
     };
     let weights = done.closed_form.and_then(|form| form.weights);
@@ -50,6 +50,6 @@ fn row(method: &MethodResult) -> Vec<String> {
         gap,
         small(f.mean_curvature_max),
         small(done.closed_form.map(|form| form.deviation)),
-        weights.map_or(String::new(), |[a, b]| format!("{a:.6} {b:.6}")),
+        weights.map_or(String::new(), |[a, b]| format!("{} {}", figure(a), figure(b))),
     ]
 }
