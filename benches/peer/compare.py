@@ -24,7 +24,6 @@ import tempfile
 import time
 
 import numpy as np
-import pyswarms
 import scipy
 from scipy.optimize import minimize
 
@@ -193,6 +192,8 @@ def swarm(objective, seed, swarms=1):
 
 
 def by_pyswarms(objective, seed):
+    import pyswarms  # late, see main
+
     np.random.seed(seed)
     optimizer = pyswarms.single.GlobalBestPSO(
         n_particles=PARTICLES,
@@ -241,6 +242,15 @@ def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     program = os.path.abspath(sys.argv[1])
+    with tempfile.TemporaryDirectory() as scratch:
+        os.chdir(scratch)  # pyswarms opens a report.log in the working directory as soon as it is imported
+        import pyswarms
+
+        compare(program, f"numpy {np.__version__}, scipy {scipy.__version__}, pyswarms {pyswarms.__version__}")
+        os.chdir("/")
+
+
+def compare(program, versions):
     assembled, contracted = Assembled(), Contracted()
     particles = np.random.default_rng(1).uniform(LOWER, UPPER, (PARTICLES, 4))
     known = assembled(particles)
@@ -249,7 +259,7 @@ def main():
         "contracted, LAPACK": contracted.by_lapack,
         "contracted, by columns": contracted.by_columns,
     }
-    print(f"numpy {np.__version__}, scipy {scipy.__version__}, pyswarms {pyswarms.__version__}\n")
+    print(versions + "\n")
     print("J of 50 particles in NumPy                median us      us/J")
     costs = {}
     for name, way in ways.items():
@@ -268,18 +278,15 @@ def main():
 
     before = ours(program)
     rows = []
-    with tempfile.TemporaryDirectory() as scratch:
-        os.chdir(scratch)  # pyswarms leaves a report.log
-        for name, repeats, call in [
-            ("NumPy, 50 particles stacked, assembled", 5, ten(lambda seed: swarm(assembled, seed))),
-            (f"NumPy, 50 particles stacked, {fastest}", 9, ten(lambda seed: swarm(ways[fastest], seed))),
-            ("the same, all ten swarms side by side", 9, lambda: swarm(ways[fastest], 0, RUNS).min()),
-            ("pyswarms GlobalBestPSO on the same", 5, ten(lambda seed: by_pyswarms(ways[fastest], seed))),
-        ]:
-            median, least, minimum = seconds(repeats, call)
-            check(name, minimum)
-            rows.append((name, median, least, minimum))
-        os.chdir("/")
+    for name, repeats, call in [
+        ("NumPy, 50 particles stacked, assembled", 5, ten(lambda seed: swarm(assembled, seed))),
+        (f"NumPy, 50 particles stacked, {fastest}", 9, ten(lambda seed: swarm(ways[fastest], seed))),
+        ("the same, all ten swarms side by side", 9, lambda: swarm(ways[fastest], 0, RUNS).min()),
+        ("pyswarms GlobalBestPSO on the same", 5, ten(lambda seed: by_pyswarms(ways[fastest], seed))),
+    ]:
+        median, least, minimum = seconds(repeats, call)
+        check(name, minimum)
+        rows.append((name, median, least, minimum))
     polish_median, polish_least, found = seconds(15, lambda: descents(contracted.with_gradient))
     check("L-BFGS-B", max(result.fun for result in found))
     after = ours(program)
