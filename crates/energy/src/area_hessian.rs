@@ -137,21 +137,28 @@ impl AreaExpansion {
 }
 
 /// `√(EG − F²) = |x_u × x_v|` as a function of the six coordinates of (x_u, x_v), to second order.
-struct Density {
+pub(crate) struct Density {
     value: f64,
     gradient: [Point; 2],
-    hessian: [[f64; 6]; 6],
+    pub(crate) hessian: [[f64; 6]; 6],
 }
 
 impl Density {
-    /// None where x_u and x_v are parallel to within rounding, or one of them vanishes.
-    fn new(x_u: Point, x_v: Point) -> Option<Self> {
+    /// The value and its derivatives by x_u and x_v; none where these are parallel to within rounding, or one vanishes.
+    pub(crate) fn slope(x_u: Point, x_v: Point) -> Option<(f64, Point, Point)> {
         let cross = x_u.cross(x_v);
         let value = cross.norm();
         if value.is_nan() || value <= 16.0 * f64::EPSILON * x_u.norm() * x_v.norm() {
             return None;
         }
         let normal = cross.unit()?;
+        Some((value, x_v.cross(normal), normal.cross(x_u)))
+    }
+
+    /// None where x_u and x_v are parallel to within rounding, or one of them vanishes.
+    pub(crate) fn new(x_u: Point, x_v: Point) -> Option<Self> {
+        let (value, by_u, by_v) = Self::slope(x_u, x_v)?;
+        let normal = x_u.cross(x_v).unit()?;
         // With n = x_u × x_v, N = n/|n| and dn = dx_u × x_v + x_u × dx_v:
         // d|n| = N · dn, d²|n| = (|dn|² − (N · dn)²)/|n| + 2 N · (dx_u × dx_v).
         let unit = [Point::new(1.0, 0.0, 0.0), Point::new(0.0, 1.0, 0.0), Point::new(0.0, 0.0, 1.0)];
@@ -170,6 +177,6 @@ impl Density {
                 hessian[r][s] = second;
             }
         }
-        Some(Self { value, gradient: [x_v.cross(normal), normal.cross(x_u)], hessian })
+        Some(Self { value, gradient: [by_u, by_v], hessian })
     }
 }

@@ -23,6 +23,8 @@
 
 mod area;
 mod area_hessian;
+mod area_product;
+mod area_sampled;
 mod bending;
 mod coons;
 mod dense;
@@ -30,6 +32,7 @@ mod dirichlet;
 mod error;
 mod functional;
 mod laplacian;
+mod normal_variation;
 mod product;
 mod quadratic;
 mod shape;
@@ -38,11 +41,14 @@ mod triangle;
 mod triangle_area;
 mod weighted;
 
-pub use area::{AREA_TOLERANCE, Integral, area, area_with_gradient, integrate};
+pub use area::{AREA_TOLERANCE, Integral, area, area_derivative, area_with_gradient, integrate};
 pub use area_hessian::AreaExpansion;
+pub use area_product::ProductArea;
+pub use area_sampled::SampledArea;
 pub use dense::DenseForm;
 pub use error::EnergyError;
 pub use functional::{DensityTerm, Functional};
+pub use normal_variation::NormalVariation;
 pub use quadratic::{KroneckerTerm, QuadraticForm};
 pub use shape::{GramPolynomial, ShapeForm, ShapeTerm, ShapedPatch};
 pub use tangent::TangentSamples;
