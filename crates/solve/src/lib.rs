@@ -14,7 +14,9 @@
 //! | `½ (K⊗M + M⊗K)`, the Dirichlet energy of a tensor net | [`Separable`] | O(n³) |
 //! | `Q` polynomial in shape parameters, at many of them | [`Parametric`] to about ten points a side, above it [`SeparableParametric`] | 40 ns (bicubic), 40 µs (degree 10), 0.15 ms (20) |
 //! | too few, too many or conflicting conditions | [`solve_rank`] | |
-//! | is a critical point a minimum? | [`smallest_eigenvalue`], [`eigen_symmetric`] | |
+//! | is a critical point a minimum? | [`smallest_eigenvalue`], [`smallest_relative_eigenvalue`], [`eigen_symmetric`] | |
+//! | the minimum of a smooth function with its Hessian | [`newton`] | |
+//! | functions made orthonormal from samples | [`orthonormalise`] | |
 //!
 //! Every answer carries its residual, scaled as LAPACK's tests do (a failure above 30), and a condition number. What
 //! should be positive definite is factored as such or is an error that says why; nothing is shifted, nothing falls
@@ -44,6 +46,8 @@ mod dense;
 mod eigen;
 mod error;
 mod memory;
+mod newton;
+mod orthonormal;
 mod parametric;
 mod partition;
 mod rank;
@@ -51,10 +55,13 @@ mod scale;
 mod separable;
 mod sparse;
 mod system;
+mod trust_region;
 
 pub use dense::{Cholesky, Lu, solve_general, solve_partitioned, solve_spd};
-pub use eigen::{SymmetricEigen, eigen_symmetric, smallest_eigenvalue};
+pub use eigen::{SymmetricEigen, eigen_symmetric, smallest_eigenvalue, smallest_relative_eigenvalue};
 pub use error::{Place, SolveError};
+pub use newton::{NewtonEnd, NewtonParams, NewtonReport, SmoothFunction, newton};
+pub use orthonormal::orthonormalise;
 pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};
 pub use partition::Partition;
 pub use rank::{RankSolution, solve_rank};
