@@ -157,3 +157,34 @@ pub fn area_with_gradient(patch: &TensorPatch) -> Result<(Integral, Vec<f64>), E
     }
     Ok((integral, gradient.into_iter().flat_map(<[f64; 3]>::from).collect()))
 }
+
+/// The derivative of the area of `patch` when it moves along `direction`, a patch over the same rectangle, by the rule of
+/// `points`² points: d/dε of the area of `patch + ε direction` at 0.
+///
+/// With the derivative of the families by a parameter for `direction` this is the partial derivative of the area by that
+/// parameter, the net held. Where the patch is singular that point contributes nothing.
+///
+/// # Errors
+/// [`EnergyError::Basis`] for a rule that is not offered.
+pub fn area_derivative(
+    patch: &TensorPatch,
+    direction: &TensorPatch,
+    points: usize,
+) -> Result<f64, EnergyError> {
+    let [u, v] = patch.rectangle();
+    let unit = GaussLegendre::new(points)?;
+    let (rule_u, rule_v) = (unit.clone().on(u.0, u.1), unit.on(v.0, v.1));
+    let us: Vec<f64> = rule_u.iter().map(|(t, _)| t).collect();
+    let vs: Vec<f64> = rule_v.iter().map(|(t, _)| t).collect();
+    let (jets, moves) = (patch.jets(&us, &vs), direction.jets(&us, &vs));
+    let mut sum = 0.0;
+    for (k, (jet, along)) in jets.iter().zip(&moves).enumerate() {
+        let (form, density) = (jet.first_form(), jet.area_density());
+        if density > 0.0 {
+            let by_u = (jet.u * form.g - jet.v * form.f).dot(along.u);
+            let by_v = (jet.v * form.e - jet.u * form.f).dot(along.v);
+            sum += rule_u.weight(k / points) * rule_v.weight(k % points) * (by_u + by_v) / density;
+        }
+    }
+    Ok(sum)
+}

@@ -1,6 +1,6 @@
 //! Areas against closed forms, and the gradient against differences.
 
-use energy::{area, area_with_gradient};
+use energy::{area, area_derivative, area_with_gradient};
 use proptest::prelude::*;
 use surfaces::{Net, Point, TensorPatch};
 
@@ -60,5 +60,22 @@ proptest! {
         };
         let difference = (shifted(-2.0 * h) - shifted(2.0 * h) + 8.0 * (shifted(h) - shifted(-h))) / (12.0 * h);
         prop_assert!((gradient[at] - difference).abs() < 1e-7, "{} {}", gradient[at], difference);
+    }
+
+    #[test]
+    fn derivatives_along_a_patch_are_those_of_the_gradient(
+        bumps in prop::collection::vec([-0.2..0.2f64, -0.2..0.2, -0.2..0.2], 12),
+        along in prop::collection::vec([-1.0..1.0f64, -1.0..1.0, -1.0..1.0], 12),
+        shape in [0.5..3.5f64, 0.5..3.5, 0.5..3.5, 0.5..3.5],
+    ) {
+        let grid = |k: usize| Point::new((k / 4) as f64, (k % 4) as f64, 0.0);
+        let points = bumps.iter().enumerate().map(|(k, &b)| grid(k) + Point::from(b)).collect();
+        let moves: Vec<Point> = along.iter().copied().map(Point::from).collect();
+        let patch = TensorPatch::gt(Net::new(3, 4, points).unwrap(), shape).unwrap();
+        let direction = TensorPatch::gt(Net::new(3, 4, moves.clone()).unwrap(), shape).unwrap();
+        let (integral, gradient) = area_with_gradient(&patch).unwrap();
+        let by_gradient: f64 = gradient.chunks(3).zip(&moves).map(|(g, m)| g[0] * m.x + g[1] * m.y + g[2] * m.z).sum();
+        let derivative = area_derivative(&patch, &direction, integral.points).unwrap();
+        prop_assert!((derivative - by_gradient).abs() < 1e-11, "{derivative} {by_gradient}");
     }
 }

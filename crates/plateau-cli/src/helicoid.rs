@@ -91,7 +91,8 @@ fn finish(
     let closed_form = Some(ClosedForm { deviation: deviation(&pieces), weights });
     let mesh = Mesh::of(&pieces, subdivisions);
     let figures = Figures::of(&pieces, &mesh)?;
-    let solved = Solved { surface: Surface::Pieces(pieces), shape: None, solve: None, search: None };
+    let solved =
+        Solved { surface: Surface::Pieces(pieces), shape: None, solve: None, area: None, search: None };
     warnings.extend(crate::report::warnings(&solved, &figures, &crate::Search::default()));
     Ok(Done { solved, mesh, figures, boundary: None, closed_form, warnings })
 }

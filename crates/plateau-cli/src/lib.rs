@@ -53,7 +53,7 @@ pub use curve::CurveResult;
 pub use deliver::{DeliverError, deliver};
 pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use figures::Figures;
-pub use method::{MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface};
+pub use method::{AreaExtremal, MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface};
 pub use plan::{
     Basis, Boundary, Curve, CurveBasis, Deformation, DeformationPath, Energy, Expected, Experiment, Format,
     Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE, MAX_SEARCH_BUDGET, Mask, Method, Output,

@@ -78,6 +78,8 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     basis_condition: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    area_extremal: Option<AreaEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     boundary_deviation: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     harmonic_bound: Option<f64>,
@@ -109,6 +111,18 @@ struct MeanCurvature {
     max_abs: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     rms: Option<f64>,
+}
+
+/// The way to the least area: where it began, how it ended, whether it is stable.
+#[derive(Debug, Clone, Serialize)]
+struct AreaEntry {
+    start_area: f64,
+    gradient: f64,
+    iterations: usize,
+    evaluations: usize,
+    reason: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    second_variation: Option<f64>,
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -208,6 +222,14 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         residual: solve.and_then(|s| finite(s.residual)),
         condition: solve.and_then(|s| finite(s.condition)),
         basis_condition: solve.and_then(|s| s.basis_condition).and_then(finite),
+        area_extremal: done.solved.area.map(|found| AreaEntry {
+            start_area: found.start,
+            gradient: found.gradient,
+            iterations: found.iterations,
+            evaluations: found.evaluations,
+            reason: crate::report::newton_end(found.end).to_owned(),
+            second_variation: found.second_variation.and_then(finite),
+        }),
         boundary_deviation: done.boundary.map(|b| b.deviation).and_then(finite),
         harmonic_bound: done.boundary.map(|b| b.harmonic_bound).and_then(finite),
         harmonic_bound_error: done.boundary.map(|b| b.harmonic_bound_error).and_then(finite),

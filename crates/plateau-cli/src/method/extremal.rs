@@ -27,7 +27,7 @@ pub(super) fn solve(
 /// The extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
 fn by_energy(patch: &TensorPatch, method: &Method) -> Result<(TensorPatch, SolveFigures), MethodError> {
     let energy = extremal_energy(method).ok_or(MethodError::Unavailable { what: "this construction" })?;
-    let functional = functional(energy).ok_or(MethodError::Unavailable { what: "energy = \"area\"" })?;
+    let functional = functional(energy).ok_or(MethodError::Unavailable { what: "the area here" })?;
     let net = patch.net();
     if let (Energy::Dirichlet, [product]) = (energy, patch.products()) {
         let chosen = match method.solver {

@@ -1,5 +1,7 @@
 //! Methods: what joins a boundary, an energy and a solver into a patch.
 
+mod area;
+mod area_search;
 mod error;
 mod extremal;
 mod harmonic;
@@ -13,6 +15,7 @@ use surfaces::{
     rectangular_mask, tb_coons,
 };
 
+pub use area::AreaExtremal;
 pub use error::MethodError;
 pub use search::{SearchOutcome, SearchRun};
 
@@ -29,6 +32,8 @@ pub struct Solved {
     pub shape: Option<[f64; 4]>,
     /// How the interior was solved for, if it was.
     pub solve: Option<SolveFigures>,
+    /// How the least area was reached, if it was asked for.
+    pub area: Option<AreaExtremal>,
     /// The search for shape parameters, if there was one.
     pub search: Option<SearchOutcome>,
 }
@@ -91,8 +96,8 @@ pub(crate) struct Context<'a> {
 pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
     let boundary = &context.experiment.boundary;
     if let Boundary::Triangle { ab, bc, ca } = boundary {
-        let (patch, solve) = triangle::solve(method, [ab, bc, ca])?;
-        return Ok(Solved { surface: Surface::Triangle(patch), shape: None, solve, search: None });
+        let (patch, solve, area) = triangle::solve(method, [ab, bc, ca])?;
+        return Ok(Solved { surface: Surface::Triangle(patch), shape: None, solve, area, search: None });
     }
     let (net, construction) = construct(method, boundary)?;
     let (shape, search) = match method.shape {
@@ -104,14 +109,18 @@ pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, Me
         }
     };
     let patch = with_shape(net, method, shape)?;
-    let (patch, solve) = match construction {
-        Some(figures) => (patch, Some(figures)),
+    let (patch, solve, area) = match construction {
+        Some(figures) => (patch, Some(figures), None),
+        None if extremal_energy(method) == Some(Energy::Area) => {
+            let (patch, found) = area::minimise(&patch)?;
+            (patch, None, Some(found))
+        }
         None => {
             let (patch, figures) = extremal::solve(&patch, method)?;
-            (patch, Some(figures))
+            (patch, Some(figures), None)
         }
     };
-    Ok(Solved { surface: Surface::Tensor(patch), shape, solve, search })
+    Ok(Solved { surface: Surface::Tensor(patch), shape, solve, area, search })
 }
 
 /// The net of a method: whole, with the figures of its construction, or with an interior yet to be solved for.

@@ -8,6 +8,7 @@ use solve::{
 };
 use surfaces::Net;
 
+use super::area_search::LeastArea;
 use super::{MethodError, extremal_energy, functional, prefers_separable};
 use crate::{Arithmetic, Energy, Method, Patch, SolverChoice};
 
@@ -17,6 +18,8 @@ pub(super) enum Reduced {
     Parametric(Box<Parametric>),
     /// Samples of the functions, orthonormalised at every shape: for large nets, where Gram matrices lose digits.
     Separable(Box<SeparableParametric>),
+    /// The least area over the border: a minimisation at every shape.
+    Area(Box<LeastArea>),
 }
 
 impl Reduced {
@@ -26,8 +29,9 @@ impl Reduced {
                 what: "a search-energy other than the energy whose extremal is taken",
             });
         }
-        let energy = functional(method.search_energy)
-            .ok_or(MethodError::Unavailable { what: "a search on the area" })?;
+        let Some(energy) = functional(method.search_energy) else {
+            return Ok(Self::Area(Box::new(LeastArea::new(net, method)?)));
+        };
         let (m, n) = net.degrees();
         let solved_for = net.fixed().contains(&false);
         let interior = |degree: usize| if solved_for { (1..degree).collect() } else { Vec::new() };
@@ -68,6 +72,7 @@ impl Reduced {
         match self {
             Self::Parametric(_) => "parametric",
             Self::Separable(_) => "separable",
+            Self::Area(_) => "newton",
         }
     }
 
@@ -78,7 +83,7 @@ impl Reduced {
                 Path::Fma => "fma",
                 Path::Portable => "portable",
             },
-            Self::Separable(_) => "native",
+            Self::Separable(_) | Self::Area(_) => "native",
         }
     }
 }
@@ -122,6 +127,10 @@ impl Objective for Reduced {
         let evaluated = match self {
             Self::Parametric(system) => system.values(points, values),
             Self::Separable(system) => system.values(points, values),
+            Self::Area(least) => {
+                least.evaluate(points, values);
+                Ok(())
+            }
         };
         // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
         if evaluated.is_err() {
@@ -140,6 +149,7 @@ impl Smooth for Reduced {
         let value = match self {
             Self::Parametric(system) => system.value_and_gradient(&shape, &mut by_shape),
             Self::Separable(system) => system.value_and_gradient(&shape, &mut by_shape),
+            Self::Area(least) => return least.value_and_gradient(point, gradient),
         };
         gradient.copy_from_slice(&by_shape);
         value

@@ -4,26 +4,30 @@ use energy::{DenseForm, MetricForm};
 use solve::{Partition, Solution, solve_partitioned};
 use surfaces::{Point, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
-use super::{MethodError, SolveFigures, functional, mask};
+use super::{AreaExtremal, MethodError, SolveFigures, area, functional, mask};
 use crate::{Energy, Interior, Mask, Method};
 
 /// Runs one method over the sides `ab`, `bc`, `ca`.
 pub(super) fn solve(
     method: &Method,
     [ab, bc, ca]: [&[[f64; 3]]; 3],
-) -> Result<(TrianglePatch, Option<SolveFigures>), MethodError> {
+) -> Result<(TrianglePatch, Option<SolveFigures>, Option<AreaExtremal>), MethodError> {
     let points = |side: &[[f64; 3]]| side.iter().copied().map(Point::from).collect::<Vec<_>>();
     let net = TriangleNet::from_boundary(&points(ab), &points(bc), &points(ca))?.raised(method.raise)?;
-    match method.interior {
-        Interior::Extremal { energy, metric_steps } => extremal(net, energy, metric_steps),
-        Interior::Mask(mask) => by_mask(&net, mask),
+    let (patch, figures) = match method.interior {
+        Interior::Extremal { energy: Energy::Area, .. } => {
+            let (patch, found) = area::minimise_triangle(&TrianglePatch::new(net)?)?;
+            return Ok((patch, None, Some(found)));
+        }
+        Interior::Extremal { energy, metric_steps } => extremal(net, energy, metric_steps)?,
+        Interior::Mask(mask) => by_mask(&net, mask)?,
         Interior::DiscreteCoons => {
             let [ab, bc, ca] = net.boundary();
-            let net = discrete_coons_triangle(&ab, &bc, &ca)?;
-            Ok((TrianglePatch::new(net)?, Some(SolveFigures::EXPLICIT)))
+            (TrianglePatch::new(discrete_coons_triangle(&ab, &bc, &ca)?)?, SolveFigures::EXPLICIT)
         }
-        Interior::Harmonic => Err(MethodError::Unavailable { what: "a harmonic triangular net" }),
-    }
+        Interior::Harmonic => return Err(MethodError::Unavailable { what: "a harmonic triangular net" }),
+    };
+    Ok((patch, Some(figures), None))
 }
 
 /// The extremal of a quadratic energy, then the metric correction (TRI Prop. 5): each step the extremal of the Dirichlet
@@ -32,14 +36,14 @@ fn extremal(
     net: TriangleNet,
     energy: Energy,
     metric_steps: usize,
-) -> Result<(TrianglePatch, Option<SolveFigures>), MethodError> {
-    let functional = functional(energy).ok_or(MethodError::Unavailable { what: "energy = \"area\"" })?;
+) -> Result<(TrianglePatch, SolveFigures), MethodError> {
+    let functional = functional(energy).ok_or(MethodError::Unavailable { what: "the area here" })?;
     let (mut patch, mut figures) = minimise(&DenseForm::of_triangle(functional, net.degree())?, &net)?;
     for _ in 0..metric_steps {
         let metric = MetricForm::of_triangle(&patch, net.degree())?;
         (patch, figures) = minimise(&metric.form, &net)?;
     }
-    Ok((patch, Some(figures)))
+    Ok((patch, figures))
 }
 
 /// The net of least energy with its fixed points as they are.
@@ -52,7 +56,7 @@ fn minimise(form: &DenseForm, net: &TriangleNet) -> Result<(TrianglePatch, Solve
     Ok((TrianglePatch::new(net.with_coordinates(&x)?)?, figures))
 }
 
-fn by_mask(net: &TriangleNet, mask: Mask) -> Result<(TrianglePatch, Option<SolveFigures>), MethodError> {
+fn by_mask(net: &TriangleNet, mask: Mask) -> Result<(TrianglePatch, SolveFigures), MethodError> {
     let stencil = match mask {
         Mask::Alpha(alpha) => TriangleMask::Symmetric(alpha),
         Mask::Dirichlet => TriangleMask::Dirichlet,
@@ -62,5 +66,5 @@ fn by_mask(net: &TriangleNet, mask: Mask) -> Result<(TrianglePatch, Option<Solve
         return Err(MethodError::SingularMask { degree: net.degree() });
     }
     let (coordinates, figures) = mask::solve(&stencil.system(net)?, net.fixed(), &net.coordinates())?;
-    Ok((TrianglePatch::new(net.with_coordinates(&coordinates)?)?, Some(figures)))
+    Ok((TrianglePatch::new(net.with_coordinates(&coordinates)?)?, figures))
 }

@@ -8,4 +8,4 @@ mod warnings;
 
 pub(crate) use table::active_bounds;
 pub use table::table;
-pub(crate) use warnings::warnings;
+pub(crate) use warnings::{newton_end, warnings};

@@ -1,6 +1,20 @@
 //! What a reader must know before trusting a figure.
 
+use solve::NewtonEnd;
+
 use crate::{Figures, Search, Solved};
+
+/// Why a search for the least area ended, as a sentence.
+pub(crate) fn newton_end(end: NewtonEnd) -> &'static str {
+    match end {
+        NewtonEnd::Minimum => "the gradient vanishes and no curvature is negative",
+        NewtonEnd::Flat => "the area is all but constant along what remains of the gradient",
+        NewtonEnd::NoDecrease => "no step decreases the area any more",
+        NewtonEnd::Budget => "all steps allowed were made",
+        NewtonEnd::NotFinite => "the area is not finite at the start",
+        _ => "the iteration ended",
+    }
+}
 
 /// Condition beyond which the last digits printed are no longer certain.
 const ILL_CONDITIONED: f64 = 1e10;
@@ -56,6 +70,23 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
                 "the linear solve left a residual of {:.0} (30 is LAPACK's threshold of failure)",
                 solve.residual
             ));
+        }
+    }
+    if let Some(found) = &solved.area {
+        if matches!(found.end, NewtonEnd::Budget | NewtonEnd::NoDecrease | NewtonEnd::NotFinite) {
+            warnings.push(format!(
+                "the least area was not reached: {} after {} steps, gradient {:.1e} of the root of the area",
+                newton_end(found.end),
+                found.iterations,
+                found.gradient
+            ));
+        }
+        if found.second_variation.is_some_and(|smallest| smallest < 0.0) {
+            warnings.push(
+                "the surface is not a stable minimum: its second variation is negative along the normal; another \
+                 surface over the same boundary has less area"
+                    .to_owned(),
+            );
         }
     }
     if !figures.area.settled {

@@ -21,8 +21,8 @@ pub(super) trait Space {
     /// `patch` displaced.
     fn moved(&self, patch: &Self::Patch, c: &[f64]) -> Result<Self::Patch, MethodError>;
 
-    /// The second variation of the area of `patch` under normal displacements by the ψ_k.
-    fn variation(&self, patch: &Self::Patch, points: usize) -> Result<NormalVariation, MethodError>;
+    /// The second variation of the area of `patch` under normal displacements by the ψ_k, by the rule of `area`.
+    fn variation(&self, patch: &Self::Patch, area: &Area) -> Result<NormalVariation, MethodError>;
 }
 
 /// The area as a function of displacements.
@@ -74,22 +74,12 @@ pub(super) struct Product {
 impl Product {
     pub(super) fn new(patch: &TensorPatch) -> Result<Self, MethodError> {
         let product = &patch.products()[0];
-        let (map_u, lambda) = diagonal(&Samples::new(
-            product.u.as_ref(),
-            Samples::points_for(product.u.count()),
-            1,
-        )?)?;
-        let (map_v, mu) = diagonal(&Samples::new(
-            product.v.as_ref(),
-            Samples::points_for(product.v.count()),
-            1,
-        )?)?;
+        let (map_u, lambda) =
+            diagonal(&Samples::new(product.u.as_ref(), Samples::points_for(product.u.count()), 1)?)?;
+        let (map_v, mu) =
+            diagonal(&Samples::new(product.v.as_ref(), Samples::points_for(product.v.count()), 1)?)?;
         let scale = lambda.iter().flat_map(|l| mu.iter().map(move |m| 1.0 / (l + m).sqrt())).collect();
         Ok(Self { map_u, map_v, scale })
-    }
-
-    fn of(&self, patch: &TensorPatch, points: usize) -> Result<ProductArea, MethodError> {
-        Ok(ProductArea::new(patch, &self.map_u, &self.map_v, &self.scale, points)?)
     }
 }
 
@@ -97,7 +87,7 @@ impl Space for Product {
     type Patch = TensorPatch;
 
     fn area(&self, patch: &TensorPatch, points: usize) -> Result<Area, MethodError> {
-        Ok(Area::Product(self.of(patch, points)?))
+        Ok(Area::Product(ProductArea::new(patch, &self.map_u, &self.map_v, &self.scale, points)?))
     }
 
     fn moved(&self, patch: &TensorPatch, c: &[f64]) -> Result<TensorPatch, MethodError> {
@@ -112,19 +102,22 @@ impl Space for Product {
                 sum + Point::new(at[0], at[1], at[2]) * self.map_v[(j, l)]
             })
         };
-        let change: Vec<Point> =
-            (0..self.map_u.rows()).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| points(i, j)).collect();
+        let change: Vec<Point> = (0..self.map_u.rows())
+            .flat_map(|i| (0..columns).map(move |j| (i, j)))
+            .map(|(i, j)| points(i, j))
+            .collect();
         let net = patch.net();
         let coordinates = displaced(net.coordinates(), net.fixed(), &change);
         Ok(patch.with_net(net.with_coordinates(&coordinates)?)?)
     }
 
-    fn variation(&self, patch: &TensorPatch, points: usize) -> Result<NormalVariation, MethodError> {
-        let (samples, values) = self.of(patch, points)?.samples()?;
-        let us: Vec<f64> = samples.parameters().iter().step_by(points).map(|[u, _]| *u).collect();
-        let vs: Vec<f64> = samples.parameters()[..points].iter().map(|[_, v]| *v).collect();
-        let mut variation = NormalVariation::zero(samples.functions());
-        variation.add(&samples, &values, &patch.jets(&us, &vs))?;
+    fn variation(&self, patch: &TensorPatch, area: &Area) -> Result<NormalVariation, MethodError> {
+        let mut variation = NormalVariation::zero(self.scale.len());
+        if let Area::Product(area) = area {
+            let (samples, values) = area.samples()?;
+            let [us, vs] = area.nodes();
+            variation.add(&samples, &values, &patch.jets(us, vs))?;
+        }
         Ok(variation)
     }
 }
@@ -179,7 +172,7 @@ impl Space for Sums {
         Ok(patch.with_net(net.with_coordinates(&coordinates)?)?)
     }
 
-    fn variation(&self, patch: &TensorPatch, points: usize) -> Result<NormalVariation, MethodError> {
+    fn variation(&self, patch: &TensorPatch, area: &Area) -> Result<NormalVariation, MethodError> {
         let (cols, free) = (patch.net().cols(), free(patch.net().fixed()));
         let value = |u: f64, v: f64| {
             let mut all = vec![0.0; free.len()];
@@ -189,7 +182,7 @@ impl Space for Sums {
             }
             all
         };
-        variation(TangentSamples::of_tensor(patch, points)?, &free, &self.map, value, |u, v| patch.jet(u, v))
+        variation(area, &free, &self.map, value, |u, v| patch.jet(u, v))
     }
 }
 
@@ -220,7 +213,7 @@ impl Space for Triangle {
         Ok(TrianglePatch::new(net.with_coordinates(&coordinates)?)?)
     }
 
-    fn variation(&self, patch: &TrianglePatch, points: usize) -> Result<NormalVariation, MethodError> {
+    fn variation(&self, patch: &TrianglePatch, area: &Area) -> Result<NormalVariation, MethodError> {
         let degree = patch.net().degree();
         let basis = TriangleBasis::new(degree).map_err(SurfaceError::from)?;
         let value = |u: f64, v: f64| {
@@ -228,8 +221,7 @@ impl Space for Triangle {
             basis.evaluate_into(u, v, 0, &mut all);
             all
         };
-        let batches = TangentSamples::of_triangle(degree, points)?;
-        variation(batches, &free(patch.net().fixed()), &self.map, value, |u, v| patch.jet(u, v))
+        variation(area, &free(patch.net().fixed()), &self.map, value, |u, v| patch.jet(u, v))
     }
 }
 
@@ -263,7 +255,7 @@ fn sampled(
 }
 
 fn variation(
-    batches: impl Iterator<Item = TangentSamples>,
+    area: &Area,
     free: &[bool],
     map: &Matrix,
     values: impl Fn(f64, f64) -> Vec<f64>,
@@ -271,11 +263,12 @@ fn variation(
 ) -> Result<NormalVariation, MethodError> {
     let kept: Vec<usize> = (0..free.len()).filter(|&k| free[k]).collect();
     let mut variation = NormalVariation::zero(map.cols());
-    for batch in batches {
+    let Area::Sampled(area) = area else { return Ok(variation) };
+    for batch in area.samples() {
         let tables: Vec<Vec<f64>> = batch.parameters().iter().map(|&[u, v]| values(u, v)).collect();
         let values = Matrix::from_fn(batch.points(), kept.len(), |p, k| tables[p][kept[k]]).times(map);
         let jets: Vec<Jet> = batch.parameters().iter().map(|&[u, v]| jet(u, v)).collect();
-        variation.add(&batch.selected(free).combined(map)?, &values, &jets)?;
+        variation.add(batch, &values, &jets)?;
     }
     Ok(variation)
 }
@@ -283,7 +276,9 @@ fn variation(
 /// `Σ_l map[k, l] c_l` for every function k of the net.
 fn combined(map: &Matrix, c: &[f64]) -> Vec<Point> {
     let sum = |row: &[f64]| {
-        row.iter().zip(c.chunks_exact(3)).fold(Point::ZERO, |sum, (m, c)| sum + Point::new(c[0], c[1], c[2]) * *m)
+        row.iter()
+            .zip(c.chunks_exact(3))
+            .fold(Point::ZERO, |sum, (m, c)| sum + Point::new(c[0], c[1], c[2]) * *m)
     };
     (0..map.rows()).map(|k| sum(map.row(k))).collect()
 }
