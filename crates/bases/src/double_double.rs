@@ -96,6 +96,17 @@ impl Mul<f64> for DoubleDouble {
     }
 }
 
+impl Div<f64> for DoubleDouble {
+    type Output = Self;
+
+    fn div(self, other: f64) -> Self {
+        let q1 = self.hi / other;
+        let p = two_product(q1, other);
+        let rest = ((self.hi - p.hi) - p.lo) + self.lo;
+        quick(q1, rest / other)
+    }
+}
+
 impl Div for DoubleDouble {
     type Output = Self;
 
@@ -122,6 +133,12 @@ mod tests {
         assert_eq!(p, DoubleDouble { hi: 1.0 + 2.0 * f64::EPSILON, lo: f64::EPSILON * f64::EPSILON });
         let s = two_sum(1.0, 1e-30);
         assert_eq!(s, DoubleDouble { hi: 1.0, lo: 1e-30 });
+    }
+
+    #[test]
+    fn quotient_by_a_double() {
+        let a = two_sum(3.0, 1e-17);
+        assert!((a / 7.0 - a / DoubleDouble::from(7.0)).value().abs() < 1e-31);
     }
 
     #[test]

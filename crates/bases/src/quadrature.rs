@@ -77,11 +77,13 @@ impl GaussLegendre {
     }
 }
 
-/// Node k of the left half of the n-point rule on [0, 1] and its weight.
+/// Node k of the left half of the n-point rule on [0, 1] and its weight `1 / ((1 − x²) P_n′(x)²)`, x the root on [−1, 1].
 fn left_node(n: usize, k: usize) -> (f64, f64) {
     if 2 * k + 1 == n {
         let (_, below) = legendre(n, DoubleDouble::from(0.0));
-        return (0.5, weight(n, DoubleDouble::from(0.0), below));
+        // There P′ = n P_{n−1}.
+        let slope = below * n as f64;
+        return (0.5, (DoubleDouble::from(1.0) / (slope * slope)).value());
     }
     // On [−1, 1] the k-th largest root; Tricomi's estimate lies in Newton's basin for every n.
     let nf = n as f64;
@@ -91,25 +93,23 @@ fn left_node(n: usize, k: usize) -> (f64, f64) {
         let (p, below) = legendre_double(n, x);
         let step = p * (x * x - 1.0) / (nf * (x * p - below));
         x -= step;
-        if step.abs() < 1e-14 * (1.0 - x.abs()).max(1e-8) {
+        // Newton converges quadratically: after this step x is the root to rounding.
+        if step.abs() < 1e-9 * (1.0 - x.abs()).max(1e-8) {
             break;
         }
     }
-    let mut root = DoubleDouble::from(x);
-    for _ in 0..2 {
-        let (p, below) = legendre(n, root);
-        let derivative = (root * p - below) * nf / (root * root - DoubleDouble::from(1.0));
-        root = root - p / derivative;
-    }
-    let (_, below) = legendre(n, root);
-    let gap = (two_sum(1.0, -root.hi) - DoubleDouble::from(root.lo)) * 0.5;
-    (gap.value(), weight(n, root, below))
-}
-
-/// `w = (1 − x²) / (n P_{n−1}(x))²` on an interval of length 1, at a root x of P_n.
-fn weight(n: usize, x: DoubleDouble, below: DoubleDouble) -> f64 {
-    let scaled = below * n as f64;
-    ((DoubleDouble::from(1.0) - x * x) / (scaled * scaled)).value()
+    // One step in twice the precision: x is the root to rounding, so the slope at the root is the slope at x and a first
+    // correction by (1 − x²) P″ = 2x P′ − n(n+1) P.
+    let at = DoubleDouble::from(x);
+    let (p, below) = legendre(n, at);
+    let slope = (at * p - below) * nf / (at * at - DoubleDouble::from(1.0));
+    let step = -p.value() / slope.value();
+    let root = two_sum(x, step);
+    let bend = (2.0 * x * slope.value() - nf * (nf + 1.0) * p.value()) / ((1.0 - x) * (1.0 + x));
+    let slope = slope + DoubleDouble::from(step * bend);
+    let gap = DoubleDouble::from(1.0) - root;
+    let weight = DoubleDouble::from(1.0) / (gap * (DoubleDouble::from(1.0) + root) * slope * slope);
+    ((gap * 0.5).value(), weight.value())
 }
 
 /// `(P_n(x), P_{n−1}(x))` by the three-term recursion.
@@ -117,7 +117,7 @@ fn legendre(n: usize, x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let (mut p, mut below) = (DoubleDouble::from(1.0), DoubleDouble::from(0.0));
     for k in 0..n {
         let kf = k as f64;
-        let next = (x * p * (2.0 * kf + 1.0) - below * kf) / DoubleDouble::from(kf + 1.0);
+        let next = (x * p * (2.0 * kf + 1.0) - below * kf) / (kf + 1.0);
         (below, p) = (p, next);
     }
     (p, below)
