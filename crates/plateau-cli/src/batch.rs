@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use plateau::{Finished, Options, Plan, Progress, deliver, table};
+use plateau::{Finished, Options, Plan, Progress, ResultFile, deliver, table};
 
 use crate::command::{self, Failure, RunArguments, say};
 
@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &RunArguments, stdout: &mut impl Write) -> Result<(
     let options = Options { seed: arguments.seed, arithmetic: arguments.arithmetic.into() };
     let mut sound = true;
     for (k, plan) in plans.iter().enumerate() {
-        if k > 0 {
+        if k > 0 && !arguments.json {
             writeln!(stdout)?;
         }
         sound &= experiment(plan, options, arguments, &bars, stdout)?;
@@ -56,13 +56,21 @@ fn experiment(
             return Ok(false);
         }
     };
-    write!(stdout, "{}", table(&finished))?;
+    if !arguments.json {
+        write!(stdout, "{}", table(&finished))?;
+    }
     // A folder is only replaced by a whole experiment.
     if INTERRUPTED.load(Ordering::Relaxed) {
         return Ok(false);
     }
-    let sound = expectations(plan, &finished, stdout)?;
+    let sound = if arguments.json {
+        write!(stdout, "{}", ResultFile::new(&finished).to_json().map_err(std::io::Error::other)?)?;
+        expectations(plan, &finished, &mut std::io::sink())?
+    } else {
+        expectations(plan, &finished, stdout)?
+    };
     match deliver(plan, &finished, &arguments.out) {
+        Ok(_) if arguments.json => {}
         Ok(folder) => writeln!(stdout, "written to {}", folder.display())?,
         Err(error) => {
             say(&format!("error: the result cannot be written: {error}"));
@@ -71,6 +79,21 @@ fn experiment(
     }
     stdout.flush()?;
     Ok(sound && finished.failures().next().is_none())
+}
+
+/// `reproduce`: the published tables; nothing is written to disk.
+pub(crate) fn reproduce(json: bool, quiet: bool, stdout: &mut impl Write) -> Result<(), Failure> {
+    listen();
+    let reproduction = plateau::reproduce(Options::default(), &Bars::new(quiet));
+    if INTERRUPTED.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
+    if json {
+        write!(stdout, "{}", reproduction.to_json().map_err(std::io::Error::other)?)?;
+    } else {
+        write!(stdout, "{}", reproduction.table())?;
+    }
+    if reproduction.is_sound() { Ok(()) } else { Err(Failure::Result) }
 }
 
 fn expectations(plan: &Plan, finished: &Finished, stdout: &mut impl Write) -> Result<bool, Failure> {

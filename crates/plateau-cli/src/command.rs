@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::PossibleValue;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use clap_mangen::Man;
 use plateau::{Experiment, Plan, Refusal, Template};
 
 /// Patches of least energy and least area over a given boundary.
@@ -34,6 +35,15 @@ pub(crate) enum Command {
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
+    /// Reproduce the tables of the papers: every printed number beside ours
+    Reproduce {
+        /// Print the comparison as JSON instead of a table
+        #[arg(long)]
+        json: bool,
+        /// No progress on stderr
+        #[arg(long, short)]
+        quiet: bool,
+    },
     /// Print a commented experiment file to begin with
     New {
         /// The kind of experiment
@@ -44,6 +54,10 @@ pub(crate) enum Command {
         /// The shell
         shell: Shell,
     },
+    /// Print the manual page, for `man -l -`
+    Man,
+    /// Print the JSON Schema of experiment files, by which editors complete and explain keys
+    Schema,
 }
 
 /// What `run` takes.
@@ -61,6 +75,9 @@ pub(crate) struct RunArguments {
     /// Threads to use; by default one per processor. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+    /// Print each result.json on stdout instead of the table
+    #[arg(long)]
+    pub(crate) json: bool,
     /// No progress on stderr
     #[arg(long, short)]
     pub(crate) quiet: bool,
@@ -182,6 +199,33 @@ pub(crate) fn completions(shell: Shell, stdout: &mut impl Write) -> Result<(), F
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "plateau", &mut script);
     Ok(stdout.write_all(&script)?)
+}
+
+/// `man`: one page for the command and all its subcommands.
+pub(crate) fn man(stdout: &mut impl Write) -> Result<(), Failure> {
+    let mut command = Arguments::command();
+    command.build();
+    let mut page = Vec::new();
+    let whole = Man::new(command.clone());
+    whole.render_title(&mut page)?;
+    whole.render_name_section(&mut page)?;
+    whole.render_synopsis_section(&mut page)?;
+    whole.render_description_section(&mut page)?;
+    whole.render_options_section(&mut page)?;
+    for subcommand in command.get_subcommands().filter(|subcommand| subcommand.get_name() != "help") {
+        let mut section = Vec::new();
+        let part = Man::new(subcommand.clone());
+        part.render_description_section(&mut section)?;
+        part.render_synopsis_section(&mut section)?;
+        part.render_options_section(&mut section)?;
+        writeln!(page, ".SH \"PLATEAU {}\"", subcommand.get_name().to_uppercase())?;
+        page.extend(
+            String::from_utf8_lossy(&section).replace(".SH DESCRIPTION\n", "").replace(".SH", ".SS").bytes(),
+        );
+    }
+    writeln!(page, ".SH \"EXIT STATUS\"\n{}", EXIT_STATUS.trim_start_matches("Exit status: "))?;
+    whole.render_version_section(&mut page)?;
+    Ok(stdout.write_all(&page)?)
 }
 
 fn subject(plan: &Plan) -> String {

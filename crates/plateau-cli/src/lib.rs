@@ -41,8 +41,10 @@ mod method;
 mod plan;
 mod progress;
 mod report;
+mod reproduce;
 mod result;
 mod run;
+mod schema;
 mod spec;
 mod template;
 
@@ -62,6 +64,8 @@ pub use plan::{
 };
 pub use progress::Progress;
 pub use report::table;
+pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};
 pub use result::{ResultFile, SCHEMA};
 pub use run::{Done, Finished, MethodResult, Missed, Options, run};
+pub use schema::EXPERIMENT_SCHEMA;
 pub use template::Template;

@@ -32,7 +32,10 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
     match command {
         Command::Run(arguments) => batch::run(&arguments, stdout),
         Command::Check { files } => command::check(&files, stdout),
+        Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
         Command::Completions { shell } => command::completions(shell, stdout),
+        Command::Man => command::man(stdout),
+        Command::Schema => Ok(stdout.write_all(plateau::EXPERIMENT_SCHEMA.as_bytes())?),
     }
 }

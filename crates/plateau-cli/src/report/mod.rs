@@ -1,7 +1,7 @@
 //! What is said of a result in words and tables.
 
 mod curve_table;
-mod grid;
+pub(crate) mod grid;
 mod helicoid_table;
 mod table;
 mod warnings;
