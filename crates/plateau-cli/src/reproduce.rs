@@ -292,8 +292,8 @@ mod tests {
         let missed = reproduced("expect = { area = 4.5, dirichlet = 4.0 }");
         assert_eq!(missed.expected, 2);
         assert_eq!(missed.faults.len(), 1);
-        assert!(missed.faults[0].starts_with("square.toml:12: Dirichlet: area = 4.5 expected, found 4"));
-        assert!(!missed.is_sound() && missed.table().contains("MISSED square.toml:12"));
+        assert!(missed.faults[0].starts_with("square.toml:11: Dirichlet: area = 4.5 expected, found 4"));
+        assert!(!missed.is_sound() && missed.table().contains("MISSED square.toml:11"));
     }
 
     #[test]
