@@ -18,7 +18,7 @@ pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -
     let (u, v) = (plan.u_span, plan.v_span);
     let spans = || -> Vec<String> {
         let bound = bases::Aht::SUPREMUM;
-        let piece = surfaces::Helicoid::LARGEST_PIECE;
+        let piece = [surfaces::Helicoid::LARGEST_WHOLE, surfaces::Helicoid::LARGEST_PIECE];
         [("u-span", u), ("v-span", v)]
             .into_iter()
             .filter_map(|(name, span)| span_warning(name, span, bound, piece, "AHT"))
@@ -59,7 +59,8 @@ pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -
 pub(crate) fn trapezium(plan: &TrapeziumHelicoid, mesh: usize) -> MethodResult {
     let exact = || -> Result<Done, MethodError> {
         let helicoid = surfaces::TrapeziumHelicoid::new(plan.span, plan.gamma, plan.beta)?;
-        let (bound, piece) = (bases::At::SUPREMUM, surfaces::TrapeziumHelicoid::LARGEST_PIECE);
+        let bound = bases::At::SUPREMUM;
+        let piece = [surfaces::TrapeziumHelicoid::LARGEST_WHOLE, surfaces::TrapeziumHelicoid::LARGEST_PIECE];
         let warnings = span_warning("span", plan.span, bound, piece, "AT").into_iter().collect();
         finish(helicoid.pieces()?, mesh, None, |patch| helicoid.deviation(patch, mesh), warnings)
     };
@@ -98,22 +99,20 @@ fn finish(
 }
 
 /// What is to be said of an interval that one patch holds badly or not at all.
-fn span_warning(name: &str, span: f64, bound: f64, piece: f64, basis: &str) -> Option<String> {
-    let count = (span / piece).ceil();
-    if count <= 1.0 {
-        return None;
+fn span_warning(name: &str, span: f64, bound: f64, [whole, piece]: [f64; 2], basis: &str) -> Option<String> {
+    if span > whole {
+        let count = (span / piece).ceil();
+        return Some(format!(
+            "{name} = {span} is cut into {count} equal parts: one patch holds spans below {bound:.4}, the bound of the {basis} basis"
+        ));
     }
-    let why = if span >= bound {
-        format!("one patch holds spans below {bound:.4}, the bound of the {basis} basis")
-    } else if span > BESIDE_THE_BOUND * bound {
-        let share = 100.0 * (1.0 - span / bound);
+    let share = 100.0 * (1.0 - span / bound);
+    (span > BESIDE_THE_BOUND * bound).then(|| {
         format!(
-            "it lies within {share:.1} % of the bound {bound:.4} of the {basis} basis, where one patch loses its digits"
+            "{name} = {span} lies within {share:.1} % of the bound {bound:.4} of the {basis} basis: the control points grow \
+             and lose digits"
         )
-    } else {
-        format!("beyond {piece:.4} one patch begins to lose digits")
-    };
-    Some(format!("{name} = {span} is cut into {count} equal parts: {why}"))
+    })
 }
 
 #[cfg(test)]
@@ -121,14 +120,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn spans_are_warned_about_from_the_largest_piece_on() {
-        let warning = |span| span_warning("v-span", span, 10.0, 9.0, "AHT");
-        assert_eq!(warning(9.0), None);
+    fn spans_are_warned_about_close_to_the_bound_and_beyond() {
+        let warning = |span| span_warning("v-span", span, 10.0, [9.9, 9.0], "AHT");
+        assert_eq!(warning(9.5), None);
         let says = |span: f64, words: &str| {
             let text = warning(span).unwrap();
             assert!(text.contains(words), "{text}");
         };
-        says(9.2, "begins to lose digits");
         says(9.6, "within 4.0 % of the bound");
         says(10.0, "2 equal parts: one patch holds spans below 10");
         says(27.5, "4 equal parts");

@@ -83,17 +83,18 @@ fn a_long_helicoid_is_cut_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let (status, stdout, _, record) = run(
         folder.path(),
-        &HELICOID
-            .replace("u-span = 1.5\nv-span = 6.0", "u-span = 7.5\nv-span = 21")
-            .replace("1e-13", "1e-11"),
+        &HELICOID.replace("u-span = 1.5\nv-span = 6.0", "u-span = 8\nv-span = 21").replace("1e-13", "1e-11"),
     );
     assert_eq!(status, 0, "{stdout}");
-    assert!(stdout.contains("u-span = 7.5 is cut into 2 equal parts: it lies within 4.5 %"), "{stdout}");
+    assert!(
+        stdout.contains("u-span = 8 is cut into 2 equal parts: one patch holds spans below 7.8532"),
+        "{stdout}"
+    );
     assert!(stdout.contains("v-span = 21 is cut into 3 equal parts"), "{stdout}");
     let method = &record.unwrap()["methods"][0];
     let pieces = method["pieces"].as_array().unwrap();
     assert_eq!((pieces.len(), method["net"].is_null()), (6, true));
-    assert_eq!((numbers(&pieces[5]["u"]), numbers(&pieces[0]["v"])), (vec![3.75, 7.5], vec![0.0, 7.0]));
+    assert_eq!((numbers(&pieces[5]["u"]), numbers(&pieces[0]["v"])), (vec![4.0, 8.0], vec![0.0, 7.0]));
     // Neighbours share a row of the net to rounding.
     let edge = |piece: usize, j: usize| -> Vec<f64> {
         (0..6).flat_map(|i| numbers(&pieces[piece]["net"][i][j])).collect()

@@ -33,6 +33,9 @@ impl Helicoid {
     /// its control points grow without limit.
     pub const LARGEST_PIECE: f64 = 0.9 * Aht::SUPREMUM;
 
+    /// A span up to here, 0.99 of the bound, stays one patch if nothing else makes pieces necessary: two digits are lost.
+    pub const LARGEST_WHOLE: f64 = 0.99 * Aht::SUPREMUM;
+
     /// The helicoid (a, b) over `[0, u_span] × [0, v_span]`, as in AHT.
     ///
     /// # Errors
@@ -74,14 +77,15 @@ impl Helicoid {
         Factor::on(self.u)?.times(&Factor::on(self.v)?, self.weights)
     }
 
-    /// The helicoid in the least grid of equal patches with spans up to [`Self::LARGEST_PIECE`].
+    /// The helicoid as one patch if its spans are at most [`Self::LARGEST_WHOLE`]; a longer span is cut into the least number
+    /// of equal ones of at most [`Self::LARGEST_PIECE`].
     ///
     /// # Errors
     /// [`SurfaceError::TooManyPieces`] beyond [`Pieces::MAX_PIECES`] in a direction; [`SurfaceError::NotFinite`] where
     /// cosh u overflows.
     pub fn pieces(&self) -> Result<Pieces, SurfaceError> {
-        let u = equal_cuts("u", self.u, Self::LARGEST_PIECE)?;
-        let v = equal_cuts("v", self.v, Self::LARGEST_PIECE)?;
+        let u = equal_cuts("u", self.u, Self::LARGEST_WHOLE, Self::LARGEST_PIECE)?;
+        let v = equal_cuts("v", self.v, Self::LARGEST_WHOLE, Self::LARGEST_PIECE)?;
         let factors = |cuts: &[f64]| {
             cuts.windows(2).map(|ends| Factor::on((ends[0], ends[1]))).collect::<Result<Vec<_>, _>>()
         };

@@ -101,17 +101,19 @@ fn runs(cuts: &[f64], parameters: &[f64]) -> Vec<(usize, Range<usize>)> {
     runs
 }
 
-/// `[start, end]` cut into the least number of equal pieces of at most `largest`; both ends included.
+/// `[start, end]` as it is up to the length `whole`, and cut into the least number of equal pieces of at most `largest`
+/// beyond; both ends included.
 pub(crate) fn equal_cuts(
     name: &'static str,
     (start, end): (f64, f64),
+    whole: f64,
     largest: f64,
 ) -> Result<Vec<f64>, SurfaceError> {
     let span = end - start;
     if !(span > 0.0 && span.is_finite()) {
         return Err(SurfaceError::Interval { name, start, end });
     }
-    let count = (span / largest).ceil().max(1.0);
+    let count = if span <= whole { 1.0 } else { (span / largest).ceil() };
     if count > Pieces::MAX_PIECES as f64 {
         return Err(SurfaceError::TooManyPieces { name, span, max: Pieces::MAX_PIECES });
     }

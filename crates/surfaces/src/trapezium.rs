@@ -32,6 +32,9 @@ impl TrapeziumHelicoid {
     /// Largest span of one piece: 0.9 · 2π, see [`crate::Helicoid::LARGEST_PIECE`].
     pub const LARGEST_PIECE: f64 = 0.9 * At::SUPREMUM;
 
+    /// A span up to here stays one patch: 0.99 · 2π, see [`crate::Helicoid::LARGEST_WHOLE`].
+    pub const LARGEST_WHOLE: f64 = 0.99 * At::SUPREMUM;
+
     /// The helicoid over the trapezium with offsets `gamma` = (γ₀, γ₁) and slopes `beta` = (β₀, β₁).
     ///
     /// # Errors
@@ -67,12 +70,13 @@ impl TrapeziumHelicoid {
         self.piece(0.0, self.span)
     }
 
-    /// The helicoid in the least number of equal patches with spans up to [`Self::LARGEST_PIECE`].
+    /// The helicoid as one patch if its span is at most [`Self::LARGEST_WHOLE`], otherwise in the least number of equal patches
+    /// with spans up to [`Self::LARGEST_PIECE`].
     ///
     /// # Errors
     /// [`SurfaceError::TooManyPieces`] beyond [`Pieces::MAX_PIECES`]; [`SurfaceError::NotFinite`] on overflow.
     pub fn pieces(&self) -> Result<Pieces, SurfaceError> {
-        let cuts = equal_cuts("v", (0.0, self.span), Self::LARGEST_PIECE)?;
+        let cuts = equal_cuts("v", (0.0, self.span), Self::LARGEST_WHOLE, Self::LARGEST_PIECE)?;
         Pieces::new(vec![0.0, 1.0], cuts.clone(), |_, j| self.piece(cuts[j], cuts[j + 1]))
     }
 

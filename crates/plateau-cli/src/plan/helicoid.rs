@@ -32,7 +32,7 @@ pub(super) fn helicoid(
     let spec = spec.get_ref();
     let a = weight(check, &table, "a", &spec.a);
     let b = weight(check, &table, "b", &spec.b);
-    let piece = surfaces::Helicoid::LARGEST_PIECE;
+    let piece = surfaces::Helicoid::LARGEST_WHOLE;
     let [u_most, v_most] = LONGEST;
     let u_span = length(check, &table, "u-span", &spec.u_span, SHORTEST..=u_most, piece);
     let v_span = length(check, &table, "v-span", &spec.v_span, SHORTEST..=v_most, piece);
@@ -197,7 +197,7 @@ pub(super) fn trapezium(
 ) -> Option<TrapeziumHelicoid> {
     let table = check.table("[trapezium-helicoid]", spec.span(), &top("trapezium-helicoid"));
     let spec = spec.get_ref();
-    let piece = surfaces::TrapeziumHelicoid::LARGEST_PIECE;
+    let piece = surfaces::TrapeziumHelicoid::LARGEST_WHOLE;
     let span = length(check, &table, "span", &spec.span, SHORTEST..=LONGEST[1], piece);
     let gamma = pair(check, &table, "gamma", &spec.gamma);
     let beta = pair(check, &table, "beta", &spec.beta);
