@@ -192,7 +192,7 @@ impl TrustRegion {
         if self.lowest.iter().all(|e| *e == 0.0) {
             // Any vector that no symmetry of the problem keeps out of the lowest eigenspace.
             let entry = |k: usize| 1.0 + ((k * 7919 + 13) % 101) as f64 / 101.0;
-            let signed = |k: usize| if (k * k + k / 3) % 2 == 0 { entry(k) } else { -entry(k) };
+            let signed = |k: usize| if (k * k + k / 3).is_multiple_of(2) { entry(k) } else { -entry(k) };
             self.lowest.iter_mut().enumerate().for_each(|(k, e)| *e = signed(k));
         }
         let mut curvature = f64::INFINITY;
