@@ -31,3 +31,7 @@ lint:
     cargo fmt --all
     cargo clippy --workspace --all-targets -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
+
+# The book into target/book; `just book --open` shows it. mdBook: `cargo install mdbook --locked`.
+book *ARGUMENTS:
+    mdbook build docs {{ARGUMENTS}}
