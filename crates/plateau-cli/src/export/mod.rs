@@ -5,6 +5,9 @@ pub(crate) mod csv;
 pub(crate) mod deformation;
 mod glb;
 mod obj;
+mod ply;
+mod stl;
+mod vtu;
 
 use std::io::{self, Write};
 
@@ -30,8 +33,11 @@ pub(crate) trait Export {
 pub(crate) fn exporter(format: Format) -> Option<&'static dyn Export> {
     match format {
         Format::Obj => Some(&obj::Obj),
+        Format::Ply => Some(&ply::Ply),
+        Format::Stl => Some(&stl::Stl),
         Format::Glb => Some(&glb::Glb),
-        _ => None,
+        Format::Vtu => Some(&vtu::Vtu),
+        Format::Step => None,
     }
 }
 
@@ -40,4 +46,9 @@ fn extent(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
     points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], p| {
         [std::array::from_fn(|k| low[k].min(p[k])), std::array::from_fn(|k| high[k].max(p[k]))]
     })
+}
+
+/// Names come from the experiment file and may hold anything; a line break would be read as data.
+fn one_line(name: &str) -> String {
+    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

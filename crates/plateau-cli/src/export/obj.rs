@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Export, Subject};
+use super::{Export, Subject, one_line};
 
 pub(crate) struct Obj;
 
@@ -25,9 +25,4 @@ impl Export for Obj {
         }
         Ok(())
     }
-}
-
-/// Names come from the experiment file and may hold anything; a line break would be read as data.
-fn one_line(name: &str) -> String {
-    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

@@ -1,0 +1,102 @@
+//! VTK unstructured grid (XML), for ParaView: triangles with curvatures, normals and parameters at the vertices.
+//!
+//! Arrays are inline base64 of little-endian numbers, since the text form of the format cannot hold "not a number", which
+//! stands for the curvature where a patch is singular (ParaView has a colour for it).
+
+use std::io::{self, Write};
+
+use surfaces::Mesh;
+
+use super::{Export, Subject};
+
+/// The cell type of a triangle in VTK.
+const TRIANGLE: u8 = 5;
+
+pub(crate) struct Vtu;
+
+impl Export for Vtu {
+    fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()> {
+        let mesh = subject.mesh;
+        let (points, cells) = (mesh.points.len(), mesh.triangles.len());
+        out.write_all(
+            b"<?xml version=\"1.0\"?>\n\
+              <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
+              <UnstructuredGrid>\n",
+        )?;
+        writeln!(out, "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">")?;
+        point_data(mesh, out)?;
+        writeln!(out, "<Points>")?;
+        doubles("points", 3, mesh.points.iter().flat_map(|p| [p.x, p.y, p.z]), out)?;
+        writeln!(out, "</Points>\n<Cells>")?;
+        let corners = mesh.triangles.iter().flatten().flat_map(|&k| i64::from(k).to_le_bytes());
+        array("Int64", "connectivity", 1, corners, out)?;
+        array("Int64", "offsets", 1, (1..=cells as i64).flat_map(|k| (3 * k).to_le_bytes()), out)?;
+        array("UInt8", "types", 1, mesh.triangles.iter().map(|_| TRIANGLE), out)?;
+        out.write_all(b"</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
+    }
+}
+
+fn point_data(mesh: &Mesh, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "<PointData Scalars=\"mean_curvature\" Normals=\"normals\" TCoords=\"parameters\">")?;
+    for (name, values) in
+        [("mean_curvature", &mesh.mean_curvature), ("gauss_curvature", &mesh.gauss_curvature)]
+    {
+        doubles(name, 1, values.iter().map(|value| value.unwrap_or(f64::NAN)), out)?;
+    }
+    doubles("normals", 3, mesh.normals.iter().flat_map(|n| [n.x, n.y, n.z]), out)?;
+    doubles("parameters", 2, mesh.parameters.iter().copied().flatten(), out)?;
+    writeln!(out, "</PointData>")
+}
+
+fn doubles(
+    name: &str,
+    components: usize,
+    values: impl Iterator<Item = f64>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    array("Float64", name, components, values.flat_map(f64::to_le_bytes), out)
+}
+
+/// One array: the number of its bytes, then the bytes, in base64.
+fn array(
+    kind: &str,
+    name: &str,
+    components: usize,
+    bytes: impl Iterator<Item = u8>,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let data: Vec<u8> = bytes.collect();
+    writeln!(
+        out,
+        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"binary\">"
+    )?;
+    let counted = [&(data.len() as u64).to_le_bytes(), data.as_slice()].concat();
+    out.write_all(&base64(&counted))?;
+    writeln!(out, "\n</DataArray>")
+}
+
+fn base64(bytes: &[u8]) -> Vec<u8> {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = Vec::with_capacity(bytes.len().div_ceil(3) * 4);
+    for group in bytes.chunks(3) {
+        let word = group.iter().fold(0u32, |word, &byte| (word << 8) | u32::from(byte)) << (8 * (3 - group.len()));
+        for digit in 0..4 {
+            let value = (word >> (18 - 6 * digit)) & 63;
+            text.push(if digit <= group.len() { DIGITS[value as usize] } else { b'=' });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::base64;
+
+    #[test]
+    fn base64_as_in_rfc_4648() {
+        let cases = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")];
+        for (plain, coded) in cases {
+            assert_eq!(base64(plain.as_bytes()), coded.as_bytes());
+        }
+    }
+}
