@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use plateau::{Finished, Options, Plan, Progress, ResultFile, deliver, table};
+use plateau::{Finished, Options, Plan, Progress, deliver, table};
 
 use crate::command::{self, Failure, RunArguments, say};
 
@@ -63,15 +63,27 @@ fn experiment(
     if INTERRUPTED.load(Ordering::Relaxed) {
         return Ok(false);
     }
-    let sound = if arguments.json {
-        write!(stdout, "{}", ResultFile::new(&finished).to_json().map_err(std::io::Error::other)?)?;
+    let json = arguments.json;
+    let mut sound = if json {
         expectations(plan, &finished, &mut std::io::sink())?
     } else {
         expectations(plan, &finished, stdout)?
     };
     match deliver(plan, &finished, &arguments.out) {
-        Ok(_) if arguments.json => {}
-        Ok(folder) => writeln!(stdout, "written to {}", folder.display())?,
+        Ok(delivered) => {
+            if json {
+                write!(stdout, "{}", delivered.record.to_json().map_err(std::io::Error::other)?)?;
+            } else {
+                for note in &delivered.notes {
+                    writeln!(stdout, "{note}")?;
+                }
+                writeln!(stdout, "written to {}", delivered.folder.display())?;
+            }
+            for refusal in &delivered.refusals {
+                say(&format!("error: {refusal}"));
+                sound = false;
+            }
+        }
         Err(error) => {
             say(&format!("error: the result cannot be written: {error}"));
             return Ok(false);

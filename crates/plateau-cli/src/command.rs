@@ -44,6 +44,8 @@ pub(crate) enum Command {
         #[arg(long, short)]
         quiet: bool,
     },
+    /// Write the surfaces of a result.json as files for other programs
+    Export(ExportArguments),
     /// Print a commented experiment file to begin with
     New {
         /// The kind of experiment
@@ -84,6 +86,61 @@ pub(crate) struct RunArguments {
     /// Instructions of the search: portable ones give the same bits on every processor
     #[arg(long, value_name = "SET", default_value = "auto")]
     pub(crate) arithmetic: Arithmetic,
+}
+
+/// What `export` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ExportArguments {
+    /// A result.json of `plateau run`
+    #[arg(value_name = "RESULT")]
+    pub(crate) result: PathBuf,
+    /// The format of the files
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: FileFormat,
+    /// The one method to write; by default all of them
+    #[arg(long, value_name = "NAME")]
+    pub(crate) method: Option<String>,
+    /// Subdivisions of each side of a mesh
+    #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u16).range(2..=2000))]
+    pub(crate) mesh: u16,
+    /// STEP: largest distance between a fitted surface and the patch, as a share of the size
+    #[arg(long, value_name = "T", default_value_t = plateau::DEFAULT_TOLERANCE, value_parser = share)]
+    pub(crate) tolerance: f64,
+    /// The file to write, for a single method; by default files beside the result, named after their methods
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// A share of something: above 0, at most 1.
+fn share(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(share) if share > 0.0 && share <= 1.0 => Ok(share),
+        Ok(share) => Err(format!("{share} is not above 0 and at most 1: 1e-6 is a millionth of the size")),
+        Err(_) => Err("this is not a number; 1e-6 is a millionth of the size".to_owned()),
+    }
+}
+
+/// A file format by its name.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FileFormat(pub(crate) plateau::Format);
+
+impl ValueEnum for FileFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        use plateau::Format::{Glb, Obj, Ply, Step, Stl, Vtu};
+        static FORMATS: [FileFormat; 6] = [
+            FileFormat(Obj),
+            FileFormat(Ply),
+            FileFormat(Stl),
+            FileFormat(Glb),
+            FileFormat(Vtu),
+            FileFormat(Step),
+        ];
+        &FORMATS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.0.name()))
+    }
 }
 
 /// Which instructions the search may use.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use surfaces::Mesh;
 use thiserror::Error;
 
-use crate::export::{Subject, exporter};
+use crate::export::{DEFAULT_TOLERANCE, ExportError, Subject};
 use crate::result::ResultFile;
 use crate::run::{Done, Finished};
 use crate::{Format, Plan, atomic, export};
@@ -21,24 +21,49 @@ pub struct DeliverError {
     pub source: io::Error,
 }
 
+/// What was written of a finished experiment.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Delivered {
+    /// The folder.
+    pub folder: PathBuf,
+    /// What was written to `result.json`.
+    pub record: ResultFile,
+    /// What a reader must know about the files: how far fitted surfaces lie from their patches.
+    pub notes: Vec<String>,
+    /// Files that were asked for and could not hold their surface; all others are there.
+    pub refusals: Vec<ExportError>,
+}
+
 /// Writes `out/<stem>/result.json` and the files the plan asks for, each whole or not at all; `result.json` last, so that
-/// a folder that has it is complete. Returns the folder.
+/// a folder that has it is complete.
 ///
 /// # Errors
 /// [`DeliverError`] names the file; what was there before is untouched.
-pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<PathBuf, DeliverError> {
+pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered, DeliverError> {
     let folder = out.join(&plan.stem);
+    let (mut notes, mut refusals) = (Vec::new(), Vec::new());
     let write = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
         let path = folder.join(name);
         atomic::write(&path, fill).map_err(|source| DeliverError { path, source })
     };
     let names = file_names(finished.methods.iter().map(|method| method.name.as_str()));
-    for (method, file) in finished.methods.iter().zip(&names) {
+    let mut record = ResultFile::new(finished);
+    for (k, (method, file)) in finished.methods.iter().zip(&names).enumerate() {
         let Ok(done) = &method.outcome else { continue };
         for &format in &plan.output.formats {
-            if let Some(exporter) = exporter(format) {
-                let subject = Subject { name: &method.name, mesh: &done.mesh };
-                write(&format!("{file}.{}", format.name()), &|out| exporter.write(&subject, out))?;
+            let subject = Subject { name: &method.name, mesh: &done.mesh };
+            let solved = (&done.solved.surface, done.solved.family);
+            let file = format!("{file}.{}", format.name());
+            match export::write(format, &subject, solved, DEFAULT_TOLERANCE, &folder.join(&file)) {
+                Ok(form) => {
+                    if let Some(form) = &form {
+                        notes.push(format!("{file}: {}", form.description));
+                    }
+                    record.add_file(k, file, form);
+                }
+                Err(ExportError::Failed(error)) => return Err(error),
+                Err(refusal) => refusals.push(refusal),
             }
         }
     }
@@ -52,10 +77,8 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<PathBuf, 
     if let Some(curve) = &finished.curve {
         write("curve.csv", &|out| export::csv::write(curve, out))?;
     }
-    write("result.json", &|out| {
-        out.write_all(ResultFile::new(finished).to_json().map_err(io::Error::other)?.as_bytes())
-    })?;
-    Ok(folder)
+    write("result.json", &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
+    Ok(Delivered { folder, record, notes, refusals })
 }
 
 /// The meshes of right helicoid and catenoid, and the weights of every frame, if the experiment is a deformation and no
@@ -68,7 +91,7 @@ fn deformation(finished: &Finished) -> Option<(&Mesh, &Mesh, Vec<[f64; 2]>)> {
 }
 
 /// Names of methods as names of files: lower case, words joined by dashes, made distinct by a number where needed.
-fn file_names<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+pub(crate) fn file_names<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut files: Vec<String> = Vec::new();
     for name in names {
         let words: Vec<String> = name

@@ -5,7 +5,7 @@ use surfaces::{Mesh, Patch, Pieces, SurfaceError};
 
 use crate::run::{Done, MethodResult};
 use crate::{
-    ClosedForm, Expected, Figures, Helicoid, MethodError, Progress, Quantity, Solved, Surface,
+    ClosedForm, Expected, Family, Figures, Helicoid, MethodError, Progress, Quantity, Solved, Surface,
     TrapeziumHelicoid,
 };
 
@@ -27,7 +27,13 @@ pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -
     let exact = || -> Result<Done, MethodError> {
         let helicoid = surfaces::Helicoid::new(plan.a, plan.b, u, v)?;
         let weights = Some(helicoid.weights());
-        finish(helicoid.pieces()?, mesh, weights, |patch| helicoid.deviation(patch, mesh), spans())
+        finish(
+            (helicoid.pieces()?, Family::Aht),
+            mesh,
+            weights,
+            |patch| helicoid.deviation(patch, mesh),
+            spans(),
+        )
     };
     let mut surfaces = vec![result("helicoid".into(), exact(), plan.expect.clone())];
     let Some(crate::Deformation { frames, path }) = plan.deformation else { return surfaces };
@@ -45,7 +51,8 @@ pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -
         let lambda = k as f64 / (frames - 1) as f64;
         let closed = deformation.closed_form(lambda)?;
         let (surface, weights) = (deformation.surface(lambda)?, Some(closed.weights()));
-        let done = finish(surface, mesh, weights, |patch| closed.deviation(patch, mesh), Vec::new());
+        let done =
+            finish((surface, Family::Aht), mesh, weights, |patch| closed.deviation(patch, mesh), Vec::new());
         progress.step();
         done
     };
@@ -62,7 +69,13 @@ pub(crate) fn trapezium(plan: &TrapeziumHelicoid, mesh: usize) -> MethodResult {
         let bound = bases::At::SUPREMUM;
         let piece = [surfaces::TrapeziumHelicoid::LARGEST_WHOLE, surfaces::TrapeziumHelicoid::LARGEST_PIECE];
         let warnings = span_warning("span", plan.span, bound, piece, "AT").into_iter().collect();
-        finish(helicoid.pieces()?, mesh, None, |patch| helicoid.deviation(patch, mesh), warnings)
+        finish(
+            (helicoid.pieces()?, Family::At),
+            mesh,
+            None,
+            |patch| helicoid.deviation(patch, mesh),
+            warnings,
+        )
     };
     result("trapezium helicoid".into(), exact(), plan.expect.clone())
 }
@@ -83,7 +96,7 @@ fn result(name: String, outcome: Result<Done, MethodError>, expect: Vec<Expected
 }
 
 fn finish(
-    pieces: Pieces,
+    (pieces, family): (Pieces, Family),
     subdivisions: usize,
     weights: Option<[f64; 2]>,
     deviation: impl Fn(&dyn Patch) -> f64,
@@ -92,8 +105,8 @@ fn finish(
     let closed_form = Some(ClosedForm { deviation: deviation(&pieces), weights });
     let mesh = Mesh::of(&pieces, subdivisions);
     let figures = Figures::of(&pieces, &mesh)?;
-    let solved =
-        Solved { surface: Surface::Pieces(pieces), shape: None, solve: None, area: None, search: None };
+    let surface = Surface::Pieces(pieces);
+    let solved = Solved { surface, family, shape: None, solve: None, area: None, search: None };
     warnings.extend(crate::report::warnings(&solved, &figures, &crate::Search::default()));
     Ok(Done { solved, mesh, figures, boundary: None, closed_form, warnings })
 }

@@ -9,6 +9,7 @@ use command::{Arguments, Command, Failure, say};
 
 mod batch;
 mod command;
+mod conversion;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -33,6 +34,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Run(arguments) => batch::run(&arguments, stdout),
         Command::Check { files } => command::check(&files, stdout),
         Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
+        Command::Export(arguments) => conversion::export(&arguments, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
         Command::Completions { shell } => command::completions(shell, stdout),
         Command::Man => command::man(stdout),

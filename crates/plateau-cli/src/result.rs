@@ -4,13 +4,13 @@ use serde::Serialize;
 use surfaces::{Net, TriangleNet};
 
 use crate::run::{Finished, MethodResult};
-use crate::{SearchOutcome, SearchRun, Surface};
+use crate::{SearchOutcome, SearchRun, Surface, SurfaceForm};
 
 mod curve;
 mod pieces;
 
 use curve::CurveEntry;
-use pieces::{PieceEntry, piece_entries, single_net};
+use pieces::{DomainEntry, PieceEntry, piece_entries, single_net};
 
 /// The version of the layout; the number after the slash changes only if a program reading it would break.
 pub const SCHEMA: &str = "plateau-result/1";
@@ -39,6 +39,8 @@ enum MethodEntry {
 #[derive(Debug, Clone, Default, Serialize)]
 struct DoneEntry {
     name: String,
+    patch: &'static str,
+    basis: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     dirichlet: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -64,6 +66,8 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<NetEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    domain: Option<DomainEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pieces: Option<Vec<PieceEntry>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     weights: Option<[f64; 2]>,
@@ -88,7 +92,19 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     search: Option<SearchEntry>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    files: Vec<FileEntry>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
+}
+
+/// A file written beside the record.
+#[derive(Debug, Clone, Serialize)]
+struct FileEntry {
+    file: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    deviation: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    description: Option<String>,
 }
 
 /// `net[i][j]` for rectangular nets, a list of points with their indices for triangular ones.
@@ -171,6 +187,14 @@ impl ResultFile {
         }
     }
 
+    /// Records a file written for method `k`.
+    pub(crate) fn add_file(&mut self, k: usize, file: String, form: Option<SurfaceForm>) {
+        if let Some(MethodEntry::Done(entry)) = self.methods.get_mut(k) {
+            let (deviation, description) = form.map_or((None, None), |f| (f.deviation, Some(f.description)));
+            entry.files.push(FileEntry { file, deviation, description });
+        }
+    }
+
     /// The text of the file: indented JSON with a final line break.
     ///
     /// # Errors
@@ -193,8 +217,11 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
     };
     let f = &done.figures;
     let solve = done.solved.solve.as_ref();
+    let (patch, basis) = done.solved.family.names();
     MethodEntry::Done(Box::new(DoneEntry {
         name: result.name.clone(),
+        patch,
+        basis,
         dirichlet: finite(f.dirichlet.value),
         dirichlet_error: finite(f.dirichlet.error),
         area: finite(f.area.value),
@@ -211,6 +238,10 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             Surface::Tensor(patch) => Some(NetEntry::Rows(rows(patch.net()))),
             Surface::Triangle(patch) => Some(NetEntry::Triangle(indexed(patch.net()))),
             Surface::Pieces(pieces) => single_net(pieces).map(NetEntry::Rows),
+        },
+        domain: match &done.solved.surface {
+            Surface::Pieces(pieces) => Some(DomainEntry::new(pieces)),
+            Surface::Tensor(_) | Surface::Triangle(_) => None,
         },
         pieces: match &done.solved.surface {
             Surface::Pieces(pieces) => piece_entries(pieces),
@@ -234,6 +265,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         harmonic_bound: done.boundary.map(|b| b.harmonic_bound).and_then(finite),
         harmonic_bound_error: done.boundary.map(|b| b.harmonic_bound_error).and_then(finite),
         search: done.solved.search.as_ref().map(search_entry),
+        files: Vec::new(),
         warnings: done.warnings.clone(),
     }))
 }

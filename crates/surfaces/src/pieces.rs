@@ -30,6 +30,43 @@ impl Pieces {
         Ok(Self { u, v, patches })
     }
 
+    /// The surface made of given patches, all in v of the first in u first, with cuts at `u` and `v`, both ends included.
+    /// That they meet is not checked.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Interval`] for cuts that do not ascend, or an interval as long as no domain of its patch to within
+    /// rounding; [`SurfaceError::Size`] if there are not as many patches as intervals; [`SurfaceError::TooManyPieces`]
+    /// beyond [`Self::MAX_PIECES`] in a direction.
+    pub fn from_patches(u: Vec<f64>, v: Vec<f64>, patches: Vec<TensorPatch>) -> Result<Self, SurfaceError> {
+        for (name, cuts) in [("u", &u), ("v", &v)] {
+            let (start, end) = (cuts.first().copied(), cuts.last().copied());
+            let (start, end) = (start.unwrap_or(f64::NAN), end.unwrap_or(f64::NAN));
+            let ascending = cuts.len() > 1 && cuts.windows(2).all(|ends| ends[0] < ends[1]);
+            if !(ascending && (end - start).is_finite()) {
+                return Err(SurfaceError::Interval { name, start, end });
+            }
+            if cuts.len() > Self::MAX_PIECES + 1 {
+                return Err(SurfaceError::TooManyPieces { name, span: end - start, max: Self::MAX_PIECES });
+            }
+        }
+        let (rows, cols) = (u.len() - 1, v.len() - 1);
+        if patches.len() != rows * cols {
+            return Err(SurfaceError::Size { rows, cols, found: patches.len() });
+        }
+        for (k, patch) in patches.iter().enumerate() {
+            let ends = [&u[k / cols..][..2], &v[k % cols..][..2]];
+            for (name, (ends, (from, to))) in
+                ["u", "v"].into_iter().zip(ends.into_iter().zip(patch.rectangle()))
+            {
+                let scale = ends[0].abs().max(ends[1].abs()).max(to - from);
+                if ((ends[1] - ends[0]) - (to - from)).abs() > 8.0 * f64::EPSILON * scale {
+                    return Err(SurfaceError::Interval { name, start: ends[0], end: ends[1] });
+                }
+            }
+        }
+        Ok(Self { u, v, patches })
+    }
+
     /// Number of pieces in u and in v.
     pub fn shape(&self) -> [usize; 2] {
         [self.u.len() - 1, self.v.len() - 1]

@@ -16,7 +16,7 @@ pub(crate) fn by_mean_curvature(mesh: &Mesh) -> Option<(Vec<[u8; 3]>, f64)> {
     let place = ((sizes.len() as f64 * COVERED) as usize).min(sizes.len().checked_sub(1)?);
     let (_, full, _) = sizes.select_nth_unstable_by(place, f64::total_cmp);
     let full = *full;
-    if full * diagonal(mesh) <= FLAT {
+    if full * super::diagonal(mesh.points.iter().map(|p| [p.x, p.y, p.z])) <= FLAT {
         return None;
     }
     Some((mesh.mean_curvature.iter().map(|h| shade(h.map(|h| h / full))).collect(), full))
@@ -30,11 +30,6 @@ fn shade(h: Option<f64>) -> [u8; 3] {
     let Some(h) = h.filter(|h| h.is_finite()) else { return [128; 3] };
     let (end, share) = if h < 0.0 { (BLUE, (-h).min(1.0)) } else { (RED, h.min(1.0)) };
     std::array::from_fn(|k| (WHITE[k] + share * (end[k] - WHITE[k])).round() as u8)
-}
-
-fn diagonal(mesh: &Mesh) -> f64 {
-    let [low, high] = super::extent(mesh.points.iter().map(|p| [p.x, p.y, p.z]));
-    (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt()
 }
 
 #[cfg(test)]

@@ -6,14 +6,22 @@ pub(crate) mod deformation;
 mod glb;
 mod obj;
 mod ply;
+mod spline;
+mod step;
 mod stl;
 mod vtu;
 
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
 
 use surfaces::Mesh;
+use thiserror::Error;
 
-use crate::Format;
+use crate::{DeliverError, Family, Format, Surface, atomic};
+use step::StepFile;
+
+/// Largest distance of a fitted surface from the patch where none is asked for, as a share of the size.
+pub const DEFAULT_TOLERANCE: f64 = 1e-6;
 
 /// What an exporter may draw from.
 pub(crate) struct Subject<'a> {
@@ -23,22 +31,79 @@ pub(crate) struct Subject<'a> {
     pub(crate) mesh: &'a Mesh,
 }
 
-/// One file format.
+/// One file format of meshes.
 pub(crate) trait Export {
     /// Writes the whole file.
     fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()>;
 }
 
-/// The exporter of a format; none for formats this version does not write.
-pub(crate) fn exporter(format: Format) -> Option<&'static dyn Export> {
-    match format {
-        Format::Obj => Some(&obj::Obj),
-        Format::Ply => Some(&ply::Ply),
-        Format::Stl => Some(&stl::Stl),
-        Format::Glb => Some(&glb::Glb),
-        Format::Vtu => Some(&vtu::Vtu),
-        Format::Step => None,
-    }
+/// How a file holds a surface that its format holds by a formula, not by a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceForm {
+    /// No point of the file's surface is farther from the point of the patch with the same parameters: the largest
+    /// distance measured, times 1.25. None if the surface is the patch itself.
+    pub deviation: Option<f64>,
+    /// The same in words, with degree and segments.
+    pub description: String,
+}
+
+/// Why a file was not written.
+#[derive(Debug, Error)]
+pub enum ExportError {
+    /// The format cannot hold this surface.
+    #[error("{}: not written: {reason}", path.display())]
+    Refused {
+        /// The file.
+        path: std::path::PathBuf,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// The file system.
+    #[error(transparent)]
+    Failed(#[from] DeliverError),
+}
+
+/// Writes one file, whole or not at all. `tolerance` is a share of the size and bounds the distance of a fitted surface from
+/// the patch. For formats that hold the surface by a formula, what they hold.
+///
+/// # Errors
+/// [`ExportError::Refused`] if the format cannot hold the surface, within the tolerance; else what the file system says.
+pub(crate) fn write(
+    format: Format,
+    subject: &Subject<'_>,
+    (surface, family): (&Surface, Family),
+    tolerance: f64,
+    path: &Path,
+) -> Result<Option<SurfaceForm>, ExportError> {
+    let refused = |reason: String| -> ExportError { ExportError::Refused { path: path.to_owned(), reason } };
+    let put = |fill: &dyn Fn(&mut dyn Write) -> io::Result<()>| {
+        atomic::write(path, fill).map_err(|source| match source.kind() {
+            // The writers say so of what their format cannot hold.
+            ErrorKind::InvalidData => refused(source.to_string()),
+            _ => DeliverError { path: path.to_owned(), source }.into(),
+        })
+    };
+    let exporter: &dyn Export = match format {
+        Format::Obj => &obj::Obj,
+        Format::Ply => &ply::Ply,
+        Format::Stl => &stl::Stl,
+        Format::Glb => &glb::Glb,
+        Format::Vtu => &vtu::Vtu,
+        Format::Step => {
+            let file =
+                StepFile::new(surface, family, tolerance).map_err(|error| refused(error.to_string()))?;
+            put(&|out| file.write(subject.name, out))?;
+            return Ok(Some(SurfaceForm { deviation: file.deviation(), description: file.description() }));
+        }
+    };
+    put(&|out| exporter.write(subject, out))?;
+    Ok(None)
+}
+
+/// The diagonal of the least box around points.
+fn diagonal(points: impl Iterator<Item = [f64; 3]>) -> f64 {
+    let [low, high] = extent(points);
+    (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The least box around points: its least and its greatest corner.

@@ -20,7 +20,8 @@ pub use error::MethodError;
 pub use search::{SearchOutcome, SearchRun};
 
 use crate::{
-    Arithmetic, Basis, Boundary, Energy, Interior, Mask, Method, Patch, PatchExperiment, Progress, Shape,
+    Arithmetic, Basis, Boundary, Energy, Family, Interior, Mask, Method, Patch, PatchExperiment, Progress,
+    Shape,
 };
 
 /// The patch a method found, with what is known of the way to it.
@@ -28,6 +29,8 @@ use crate::{
 pub struct Solved {
     /// The patch.
     pub surface: Surface,
+    /// The functions it is made of.
+    pub family: Family,
     /// The shape parameters (α1, α2, β1, β2), for bases that have them.
     pub shape: Option<[f64; 4]>,
     /// How the interior was solved for, if it was.
@@ -97,7 +100,8 @@ pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, Me
     let boundary = &context.experiment.boundary;
     if let Boundary::Triangle { ab, bc, ca } = boundary {
         let (patch, solve, area) = triangle::solve(method, [ab, bc, ca])?;
-        return Ok(Solved { surface: Surface::Triangle(patch), shape: None, solve, area, search: None });
+        let (surface, family) = (Surface::Triangle(patch), Family::Triangle);
+        return Ok(Solved { surface, family, shape: None, solve, area, search: None });
     }
     let (net, construction) = construct(method, boundary)?;
     let (shape, search) = match method.shape {
@@ -120,7 +124,12 @@ pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, Me
             (patch, Some(figures), None)
         }
     };
-    Ok(Solved { surface: Surface::Tensor(patch), shape, solve, area, search })
+    let family = match (method.patch, method.basis) {
+        (Patch::TbCoons, _) => Family::TbCoons,
+        (_, Basis::Gt) => Family::Gt,
+        _ => Family::Bernstein,
+    };
+    Ok(Solved { surface: Surface::Tensor(patch), family, shape, solve, area, search })
 }
 
 /// The net of a method: whole, with the figures of its construction, or with an interior yet to be solved for.

@@ -11,6 +11,20 @@ pub(super) struct PieceEntry {
     net: Vec<Vec<[f64; 3]>>,
 }
 
+/// The intervals of the parameters of the whole surface.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct DomainEntry {
+    u: [f64; 2],
+    v: [f64; 2],
+}
+
+impl DomainEntry {
+    pub(super) fn new(pieces: &Pieces) -> Self {
+        let [u, v] = pieces.cuts().map(|cuts| [cuts[0], cuts[cuts.len() - 1]]);
+        Self { u, v }
+    }
+}
+
 /// The net of a surface in one piece.
 pub(super) fn single_net(pieces: &Pieces) -> Option<Vec<Vec<[f64; 3]>>> {
     match pieces.patches() {

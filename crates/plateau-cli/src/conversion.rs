@@ -1,0 +1,56 @@
+//! `export`: surfaces of a result as files for other programs.
+
+use std::io::Write;
+use std::path::Path;
+
+use plateau::{ExportError, StoredMethod, StoredResult};
+
+use crate::command::{ExportArguments, Failure, say};
+
+/// Writes the files; one that is refused keeps none of the others back.
+pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Result<(), Failure> {
+    let result = &arguments.result;
+    let refuse = |message: String| {
+        say(&format!("error: {}: {message}", result.display()));
+        Failure::Input
+    };
+    let stored = StoredResult::read(result).map_err(|error| refuse(error.to_string()))?;
+    let chosen = chosen(&stored, arguments.method.as_deref()).map_err(refuse)?;
+    if arguments.out.is_some() && chosen.len() > 1 {
+        return Err(refuse(format!(
+            "--out is one file and there are {} methods: choose one with --method",
+            chosen.len()
+        )));
+    }
+    let format = arguments.format.0;
+    let folder = result.parent().unwrap_or(Path::new(""));
+    let mut sound = true;
+    for method in chosen {
+        let path = match &arguments.out {
+            Some(path) => path.clone(),
+            None => folder.join(format!("{}.{}", method.file_name, format.name())),
+        };
+        match method.export(format, arguments.mesh.into(), arguments.tolerance, &path) {
+            Ok(None) => writeln!(stdout, "{}", path.display())?,
+            Ok(Some(form)) => writeln!(stdout, "{}: {}", path.display(), form.description)?,
+            Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
+                say(&format!("error: {error}"));
+                sound = false;
+            }
+        }
+    }
+    if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+fn chosen<'a>(stored: &'a StoredResult, name: Option<&str>) -> Result<Vec<&'a StoredMethod>, String> {
+    let methods: Vec<&StoredMethod> =
+        stored.methods.iter().filter(|method| name.is_none_or(|name| method.name == name)).collect();
+    if !methods.is_empty() {
+        return Ok(methods);
+    }
+    let names: Vec<String> = stored.methods.iter().map(|method| format!("{:?}", method.name)).collect();
+    Err(match name {
+        Some(name) if !names.is_empty() => format!("has no method {name:?}; it has {}", names.join(", ")),
+        _ => "holds no surface: curves have no files but their curve.csv".to_owned(),
+    })
+}
