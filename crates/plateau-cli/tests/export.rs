@@ -316,7 +316,10 @@ fn what_is_wrong_with_a_result_is_named() {
         (bernstein("[[[0,0,1e999]]]"), "number out of range"),
         (bernstein(square).replace("bernstein", "gt"), "`methods[0].shape` is missing"),
         (bernstein(square).replace("bernstein", "aht"), "`methods[0].domain` is missing"),
-        (bernstein(square).replace("\"tensor\"", "\"triangle\""), "`methods[0].net`: has 2 points, no triangular net"),
+        (
+            bernstein(square).replace("\"tensor\"", "\"triangle\""),
+            "`methods[0].net`: has 2 points, no triangular net",
+        ),
         (
             record(
                 "{\"name\": \"a\", \"patch\": \"triangle\", \"basis\": \"bernstein\", \"net\": [\
