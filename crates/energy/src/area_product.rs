@@ -151,6 +151,9 @@ impl ProductArea {
     pub fn hessian(&self, c: &[f64], hessian: &mut [f64]) -> Result<(), EnergyError> {
         let (m, n, size) = (self.u.functions(), self.v.functions(), self.unknowns());
         assert_eq!(hessian.len(), size * size, "length of a Hessian");
+        if size == 0 {
+            return Ok(());
+        }
         let lines = self.lines(&self.tangents(c))?;
         // Block (i, k) = Σ_a Σ_rs f_i^(r) f_k^(s) lines[a, rs], for i ≥ k.
         let mut blocks = Matrix::zeros(self.pairs.cols(), 9 * n * n);

@@ -24,22 +24,20 @@ impl<F: FnMut(&[f64], &mut [f64], &mut [f64]) -> f64> SmoothFunction for Given<F
     }
 }
 
-fn quadratic<'a>(
-    n: usize,
-    a: &'a [f64],
-    b: &'a [f64],
-) -> Given<impl FnMut(&[f64], &mut [f64], &mut [f64]) -> f64 + 'a> {
+type Derivatives<'a> = Box<dyn FnMut(&[f64], &mut [f64], &mut [f64]) -> f64 + 'a>;
+
+fn quadratic<'a>(n: usize, a: &'a [f64], b: &'a [f64]) -> Given<Derivatives<'a>> {
     let f = move |x: &[f64], g: &mut [f64], h: &mut [f64]| {
         h.copy_from_slice(a);
         let ax: Vec<f64> = (0..n).map(|i| (0..n).map(|j| a[i * n + j] * x[j]).sum()).collect();
         (0..n).for_each(|i| g[i] = ax[i] - b[i]);
         1.0 + (0..n).map(|i| (0.5 * ax[i] - b[i]) * x[i]).sum::<f64>()
     };
-    Given { n, f }
+    Given { n, f: Box::new(f) }
 }
 
 /// Rosenbrock's curved valley, with a floor that rises as slowly as `floor` says.
-fn valley(floor: f64) -> Given<impl FnMut(&[f64], &mut [f64], &mut [f64]) -> f64> {
+fn valley(floor: f64) -> Given<Derivatives<'static>> {
     let f = move |x: &[f64], g: &mut [f64], h: &mut [f64]| {
         let (r, s) = (x[1] - x[0] * x[0], x[0] - 1.0);
         g.copy_from_slice(&[-4.0 * r * x[0] + 2.0 * floor * s, 2.0 * r]);
@@ -47,7 +45,7 @@ fn valley(floor: f64) -> Given<impl FnMut(&[f64], &mut [f64], &mut [f64]) -> f64
         h.copy_from_slice(&[8.0 * x[0] * x[0] - 4.0 * r + 2.0 * floor, cross, cross, 2.0]);
         r * r + floor * s * s + 1.0
     };
-    Given { n: 2, f }
+    Given { n: 2, f: Box::new(f) }
 }
 
 fn matrix(n: usize, entries: &[f64]) -> Vec<f64> {

@@ -28,7 +28,7 @@ pub(super) trait Space {
 /// The area as a function of displacements.
 pub(super) enum Area {
     /// Over products of functions of one variable.
-    Product(ProductArea),
+    Product(Box<ProductArea>),
     /// Over any functions.
     Sampled(SampledArea),
 }
@@ -87,7 +87,8 @@ impl Space for Product {
     type Patch = TensorPatch;
 
     fn area(&self, patch: &TensorPatch, points: usize) -> Result<Area, MethodError> {
-        Ok(Area::Product(ProductArea::new(patch, &self.map_u, &self.map_v, &self.scale, points)?))
+        let area = ProductArea::new(patch, &self.map_u, &self.map_v, &self.scale, points)?;
+        Ok(Area::Product(Box::new(area)))
     }
 
     fn moved(&self, patch: &TensorPatch, c: &[f64]) -> Result<TensorPatch, MethodError> {
