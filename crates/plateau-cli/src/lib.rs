@@ -59,7 +59,10 @@ pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use export::{DEFAULT_TOLERANCE, ExportError, SurfaceForm};
 pub use family::Family;
 pub use figures::Figures;
-pub use method::{AreaExtremal, MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface};
+pub use method::{
+    AreaExtremal, MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface, least_area,
+    least_area_triangle,
+};
 pub use plan::{
     Basis, Boundary, Curve, CurveBasis, Deformation, DeformationPath, Energy, Expected, Experiment, Format,
     Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE, MAX_SEARCH_BUDGET, Mask, Method, Output,

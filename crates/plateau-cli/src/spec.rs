@@ -65,6 +65,7 @@ pub(crate) struct MethodSpec {
     pub(crate) construction: Key<Text>,
     pub(crate) search_energy: Key<Text>,
     pub(crate) solver: Key<Text>,
+    pub(crate) tolerance: Key<Number>,
     pub(crate) expect: Key<Section<ExpectSpec>>,
     pub(crate) published: Key<Published>,
 }

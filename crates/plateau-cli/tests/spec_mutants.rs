@@ -232,6 +232,8 @@ const MUTANTS: &[Mutant] = &[
     mutant("unknown mask", TRIANGLE, &[("\"dirichlet\"", "«\"dirichlt\"»")], Inadmissible, &["did you mean \"dirichlet\"?"]),
     mutant("unknown construction", TENSOR, &[("energy = \"bending\"", "construction = «\"coons\"»")], Inadmissible, &["construction", "did you mean \"discrete-coons\"?"]),
     mutant("metric steps without dirichlet", TENSOR, &[("energy = \"bending\"", "energy = \"bending\"\nmetric-steps = «2»")], Conflict, &["metric-steps", "energy = \"dirichlet\""]),
+    mutant("a tolerance of a linear solve", TENSOR, &[("energy = \"bending\"", "energy = \"bending\"\ntolerance = «1e-7»")], Conflict, &["tolerance", "energy = \"area\""]),
+    mutant("too loose a tolerance", TENSOR, &[("energy = \"bending\"", "energy = \"area\"\ntolerance = «0.5»")], Inadmissible, &["tolerance", "1e-2"]),
     mutant("negative metric steps", TENSOR, &[("energy = \"bending\"", "energy = \"dirichlet\"\nmetric-steps = «-1»")], Inadmissible, &["metric-steps", "between 0 and 1000"]),
     mutant("degree raised too far", TENSOR, &[("energy = \"bending\"", "energy = \"bending\"\nraise = «62»")], Conflict, &["degree 65", "limit 64", "at most 61"]),
     mutant("negative raise", TENSOR, &[("energy = \"bending\"", "energy = \"bending\"\nraise = «-1»")], Inadmissible, &["raise", "between 0 and 64"]),

@@ -423,6 +423,7 @@ fn the_tensor_template_shows_every_key_of_its_tables() {
         "raise",
         "metric-steps",
         "solver",
+        "tolerance",
         "mask",
         "construction",
         "variant",

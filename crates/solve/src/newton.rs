@@ -30,19 +30,19 @@ pub struct NewtonParams {
     /// curvature of a step, so that steps along directions without curvature follow the gradient instead of dividing
     /// rounding by rounding; a stationary point whose curvatures are all above minus that is a minimum.
     pub flat: f64,
-    /// The decrease over the last [`NewtonParams::PATIENCE`] steps, relative to the value, that counts as none.
+    /// The decrease over the last `patience` steps, relative to the value, that counts as none.
     pub value_tolerance: f64,
+    /// Steps over which the value has to decrease, ≥ 1: more of them cross longer plateaus.
+    pub patience: usize,
     /// Largest number of steps tried.
     pub iterations: usize,
 }
 
 impl NewtonParams {
-    /// Steps over which the value has to decrease.
-    pub const PATIENCE: usize = 8;
-
-    /// Tolerance and radius as given, curvatures below 10⁻¹¹ flat, decreases below 10⁻¹¹ none, at most 200 steps.
+    /// Tolerance and radius as given, curvatures below 10⁻¹¹ flat, decreases below 10⁻¹¹ over 8 steps none, at most 200
+    /// steps.
     pub fn new(gradient_tolerance: f64, radius: f64) -> Self {
-        Self { gradient_tolerance, radius, flat: 1e-11, value_tolerance: 1e-11, iterations: 200 }
+        Self { gradient_tolerance, radius, flat: 1e-11, value_tolerance: 1e-11, patience: 8, iterations: 200 }
     }
 }
 
@@ -230,7 +230,7 @@ pub fn newton(
             radius = if quality < 0.0 { 0.25 } else { 0.5 } * length.min(radius);
         }
         values.push_back(report.value);
-        let idle = values.len() > NewtonParams::PATIENCE
+        let idle = values.len() > params.patience
             && values
                 .pop_front()
                 .is_some_and(|v| v - report.value <= params.value_tolerance * report.value.abs());

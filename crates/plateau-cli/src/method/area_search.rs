@@ -37,7 +37,7 @@ impl LeastArea {
     /// The extremal at one shape and its area.
     fn extremal(&self, shape: [f64; 4]) -> Result<(TensorPatch, energy::Integral), MethodError> {
         let patch = with_shape(self.net.clone(), &self.method, Some(shape))?;
-        let (patch, found) = area::minimise(&patch)?;
+        let (patch, found) = area::least_area(&patch, self.method.tolerance)?;
         Ok((patch, found.area))
     }
 

@@ -15,7 +15,7 @@ use surfaces::{
     rectangular_mask, tb_coons,
 };
 
-pub use area::AreaExtremal;
+pub use area::{AreaExtremal, least_area, least_area_triangle};
 pub use error::MethodError;
 pub use search::{SearchOutcome, SearchRun};
 
@@ -116,7 +116,7 @@ pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, Me
     let (patch, solve, area) = match construction {
         Some(figures) => (patch, Some(figures), None),
         None if extremal_energy(method) == Some(Energy::Area) => {
-            let (patch, found) = area::minimise(&patch)?;
+            let (patch, found) = least_area(&patch, method.tolerance)?;
             (patch, None, Some(found))
         }
         None => {

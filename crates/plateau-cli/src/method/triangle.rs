@@ -16,7 +16,7 @@ pub(super) fn solve(
     let net = TriangleNet::from_boundary(&points(ab), &points(bc), &points(ca))?.raised(method.raise)?;
     let (patch, figures) = match method.interior {
         Interior::Extremal { energy: Energy::Area, .. } => {
-            let (patch, found) = area::minimise_triangle(&TrianglePatch::new(net)?)?;
+            let (patch, found) = area::least_area_triangle(&TrianglePatch::new(net)?, method.tolerance)?;
             return Ok((patch, None, Some(found)));
         }
         Interior::Extremal { energy, metric_steps } => extremal(net, energy, metric_steps)?,

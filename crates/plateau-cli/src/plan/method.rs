@@ -92,6 +92,7 @@ impl Draft<'_> {
         let raise = self.raise(check, interior.as_ref());
         let fits = self.fits_boundary(check, interior.as_ref(), basis, raise);
         let solver = self.solver(check, patch, interior.as_ref());
+        let tolerance = self.tolerance(check, interior.as_ref());
         let search_energy = match (shape, &interior) {
             (Some(shape), Some(interior)) => self.search_energy(check, shape, interior),
             _ => None,
@@ -124,6 +125,7 @@ impl Draft<'_> {
             search_energy: search_energy?,
             raise: raise?,
             solver: solver?,
+            tolerance: tolerance?,
             expect: expect?,
             published: published?,
         })
@@ -183,6 +185,27 @@ impl Draft<'_> {
             }
             _ => Some(basis),
         }
+    }
+
+    /// How nearly the least area is to be reached.
+    fn tolerance(&self, check: &mut Check<'_>, interior: Option<&Interior>) -> Option<f64> {
+        const FINEST: f64 = 1e-12;
+        const DEFAULT: f64 = 1e-11;
+        let Some(key) = &self.spec.tolerance else { return Some(DEFAULT) };
+        let help =
+            "it is the relative decrease of the area that counts as none; 1e-7 is quick, 1e-11 the default";
+        let admitted = (|x| (FINEST..=1e-2).contains(&x), "in [1e-12, 1e-2]");
+        let tolerance = check.number(&self.table, "tolerance", key, admitted, help)?;
+        if interior.is_some_and(|i| !matches!(i, Interior::Extremal { energy: Energy::Area, .. })) {
+            self.clash(
+                check,
+                (key.span(), "needs energy = \"area\""),
+                format!("{} has `tolerance`, but its interior is not of least area", self.table.name),
+                "leave it out: every other interior is one linear solve, exact to rounding",
+            );
+            return None;
+        }
+        Some(tolerance)
     }
 
     fn solver(

@@ -92,6 +92,8 @@ pub struct Method {
     /// The linear solver. [`SolverChoice::Separable`] only for Dirichlet extremals of tensor patches,
     /// [`SolverChoice::Sparse`] only for masks.
     pub solver: SolverChoice,
+    /// For [`Energy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
+    pub tolerance: f64,
     /// Numbers the result must reproduce.
     pub expect: Vec<Expected>,
     /// Figures printed elsewhere, to be shown beside ours.

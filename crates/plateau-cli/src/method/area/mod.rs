@@ -40,7 +40,8 @@ pub struct AreaExtremal {
 /// The gradient that counts as 0, relative to √area.
 const GRADIENT_TOLERANCE: f64 = 1e-10;
 
-/// Relative change of the area under a doubled rule at which the rule is accepted, if the gradient agrees too.
+/// Relative change of the area under a doubled rule at which the rule is accepted, if the gradient agrees too; a tenth of the
+/// tolerance where that is more.
 const RULE_TOLERANCE: f64 = 1e-10;
 
 /// The rule begins with this many points more than one and a half times the degree.
@@ -57,51 +58,67 @@ const FIRST_RADIUS: f64 = 0.25;
 /// this leads into the valley of all the nets of nearly least area where it is closest, and within 10⁻⁵ of it.
 const PULLS: [f64; 2] = [0.03, 1e-3];
 
-/// Steps with each of them.
+/// Steps with each of them, where the least area is wanted to many digits; half of them where few will do.
 const PULLED_STEPS: usize = 8;
 
+/// A tolerance from which few digits are wanted.
+const COARSE: f64 = 1e-8;
+
 /// The patch of least area on the border of `patch`, among the nets of its families: from the Dirichlet extremal by
-/// trust-region Newton steps. The free points of `patch` play no part.
+/// trust-region Newton steps. The free points of `patch` play no part. `tolerance` is the relative decrease of the area that
+/// counts as none: along the valley of nets that differ by moving points along the surface there is no other end.
 ///
 /// # Errors
 /// [`MethodError::Energy`] with [`EnergyError::Singular`] if the Dirichlet extremal has parallel tangents at a point of
 /// the rule, [`MethodError::Solve`] if the functions depend on each other to working precision.
-pub(super) fn minimise(patch: &TensorPatch) -> Result<(TensorPatch, AreaExtremal), MethodError> {
+pub fn least_area(patch: &TensorPatch, tolerance: f64) -> Result<(TensorPatch, AreaExtremal), MethodError> {
     let (m, n) = patch.net().degrees();
     let points = 3 * m.max(n) / 2 + FIRST_RULE;
     if patch.products().len() == 1 {
-        minimise_in(&Product::new(patch)?, patch, points)
+        minimise_in(&Product::new(patch)?, patch, points, tolerance)
     } else {
-        minimise_in(&Sums::new(patch, points)?, patch, points)
+        minimise_in(&Sums::new(patch, points)?, patch, points, tolerance)
     }
 }
 
-/// The triangular patch of least area on the border of `patch`: as [`minimise`].
+/// The triangular patch of least area on the border of `patch`: as [`least_area`].
 ///
 /// # Errors
-/// As [`minimise`].
-pub(super) fn minimise_triangle(patch: &TrianglePatch) -> Result<(TrianglePatch, AreaExtremal), MethodError> {
+/// As [`least_area`].
+pub fn least_area_triangle(
+    patch: &TrianglePatch,
+    tolerance: f64,
+) -> Result<(TrianglePatch, AreaExtremal), MethodError> {
     let points = 3 * patch.net().degree() / 2 + FIRST_RULE;
-    minimise_in(&Triangle::new(patch.net(), points)?, patch, points)
+    minimise_in(&Triangle::new(patch.net(), points)?, patch, points, tolerance)
 }
 
 fn minimise_in<S: Space>(
     space: &S,
     patch: &S::Patch,
     mut points: usize,
+    tolerance: f64,
 ) -> Result<(S::Patch, AreaExtremal), MethodError> {
     let mut area = space.area(patch, points)?;
     let mut gradient = vec![0.0; area.unknowns()];
     let dirichlet: Vec<f64> = area.dirichlet_projection().iter().map(|c| -c).collect();
     let start = area.value_and_gradient(&dirichlet, &mut gradient)?;
     let unit = start.sqrt();
-    let params = NewtonParams::new(GRADIENT_TOLERANCE * unit, FIRST_RADIUS * unit);
+    // An area to a coarse tolerance leaves a gradient of the order of its root.
+    let gradient_tolerance =
+        unit * if tolerance < COARSE { GRADIENT_TOLERANCE } else { 0.01 * tolerance.sqrt() };
+    let params = NewtonParams {
+        value_tolerance: tolerance,
+        patience: patience(tolerance),
+        ..NewtonParams::new(GRADIENT_TOLERANCE * unit, FIRST_RADIUS * unit)
+    };
+    let pulled_steps = if tolerance < COARSE { PULLED_STEPS } else { PULLED_STEPS / 2 };
     let (mut iterations, mut evaluations, mut x) = (0, 1, dirichlet.clone());
     for pull in PULLS {
         let mut pulled = Pulled { area: &area, pull, to: &dirichlet };
         let size =
             x.iter().zip(&dirichlet).map(|(x, d)| (x - d).powi(2)).sum::<f64>().sqrt().max(0.01 * unit);
-        let loose = NewtonParams { iterations: PULLED_STEPS, ..NewtonParams::new(0.5 * pull * size, unit) };
+        let loose = NewtonParams { iterations: pulled_steps, ..NewtonParams::new(0.5 * pull * size, unit) };
         let report = newton(&mut pulled, &x, loose)?;
         iterations += report.hessians;
         evaluations += report.evaluations;
@@ -118,8 +135,8 @@ fn minimise_in<S: Space>(
         let value = finer.value_and_gradient(&x, &mut gradient)?;
         let norm = gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
         let error = (value - report.value).abs() + 64.0 * f64::EPSILON * value;
-        let settled = error <= RULE_TOLERANCE * value;
-        let confirmed = settled && norm <= report.gradient_norm + params.gradient_tolerance;
+        let settled = error <= RULE_TOLERANCE.max(0.1 * tolerance) * value;
+        let confirmed = settled && norm <= report.gradient_norm + gradient_tolerance;
         if confirmed || 4 * points > LARGEST_RULE {
             let second_variation = match space.variation(&patch, &area) {
                 Ok(variation) => smallest(&variation)?,
@@ -141,6 +158,11 @@ fn minimise_in<S: Space>(
         area = finer;
         points *= 2;
     }
+}
+
+/// Steps without a decrease to wait for: 8 where the area is wanted to all digits, 1 at a tolerance of 10⁻⁷ and above.
+fn patience(tolerance: f64) -> usize {
+    (-13.0 - 2.0 * libm::log10(tolerance)).clamp(1.0, 8.0) as usize
 }
 
 /// The smallest eigenvalue of the second variation against the Dirichlet product of the surface.
