@@ -7,8 +7,11 @@ use surfaces::Mesh;
 use thiserror::Error;
 
 use crate::export::{DEFAULT_TOLERANCE, ExportError, Subject};
+use crate::picture::pictures;
+use crate::report_html::page;
 use crate::result::ResultFile;
 use crate::run::{Done, Finished};
+use crate::scene::Scene;
 use crate::{Format, Plan, atomic, export};
 
 /// A result that could not be kept.
@@ -73,6 +76,15 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
         write("deformation.glb", &|out| {
             export::deformation::write(&finished.title, helicoid, catenoid, &weights, out)
         })?;
+    }
+    if plan.output.pictures {
+        let scene = Scene::of(finished);
+        let pictures = pictures(plan, finished, scene.as_ref());
+        for picture in &pictures {
+            write(&format!("{}.svg", picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
+        }
+        let report = page(plan, finished, scene.as_ref(), &pictures);
+        write("report.html", &|out| out.write_all(report.as_bytes()))?;
     }
     if let Some(curve) = &finished.curve {
         write("curve.csv", &|out| export::csv::write(curve, out))?;

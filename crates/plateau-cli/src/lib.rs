@@ -29,6 +29,7 @@
 
 mod arithmetic;
 mod atomic;
+mod base64;
 mod boundary_figures;
 mod closed_form;
 mod curve;
@@ -39,13 +40,16 @@ mod family;
 mod figures;
 mod helicoid;
 mod method;
+mod picture;
 mod plan;
 mod progress;
 mod report;
+mod report_html;
 mod reproduce;
 mod result;
 mod result_reader;
 mod run;
+mod scene;
 mod schema;
 mod spec;
 mod template;

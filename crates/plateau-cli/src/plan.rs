@@ -175,12 +175,14 @@ pub struct Output {
     pub mesh: usize,
     /// Formats to export, in the file's order, without repetition.
     pub formats: Vec<Format>,
+    /// Whether pictures and the report are written.
+    pub pictures: bool,
 }
 
 impl Default for Output {
-    /// 48 subdivisions, no export.
+    /// 48 subdivisions, no export, pictures and report.
     fn default() -> Self {
-        Self { mesh: 48, formats: Vec::new() }
+        Self { mesh: 48, formats: Vec::new(), pictures: true }
     }
 }
 

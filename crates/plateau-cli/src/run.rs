@@ -137,7 +137,7 @@ impl Finished {
     }
 
     /// Every expected number with its method and ours.
-    fn comparisons(&self) -> impl Iterator<Item = (&str, &Expected, Option<f64>)> {
+    pub(crate) fn comparisons(&self) -> impl Iterator<Item = (&str, &Expected, Option<f64>)> {
         let of_methods = self.methods.iter().flat_map(|method| {
             method.expect.iter().map(|e| (method.name.as_str(), e, method.figure(e.quantity)))
         });

@@ -11,7 +11,7 @@ mod read;
 
 pub(crate) use literal::{
     ExpectValue, Integer, MaskKey, Number, NumberList, PointList, Published, Samples, SearchKey, Section,
-    Text, TextList,
+    Switch, Text, TextList,
 };
 pub(crate) use read::{Reading, Step, read, shorten};
 
@@ -164,4 +164,5 @@ pub(crate) struct PublishedSpec {
 pub(crate) struct OutputSpec {
     pub(crate) mesh: Key<Integer>,
     pub(crate) formats: Key<TextList>,
+    pub(crate) pictures: Key<Switch>,
 }

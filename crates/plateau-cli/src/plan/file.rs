@@ -195,6 +195,9 @@ fn output(check: &mut Check<'_>, key: &Spanned<Section<OutputSpec>>) -> Option<O
             None => sound = false,
         }
     }
+    if let Some(key) = &spec.pictures {
+        output.pictures = key.get_ref().0;
+    }
     let names = Format::ALL.map(|format| (format.name(), format));
     for name in spec.formats.iter().flat_map(|key| &key.get_ref().0) {
         match check.choice(&table, "formats", name, &names) {

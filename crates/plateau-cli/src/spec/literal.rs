@@ -125,6 +125,7 @@ macro_rules! deserialize_literals {
 deserialize_literals!(
     Text,
     Integer,
+    Switch,
     Number,
     NumberList,
     Coordinates,
@@ -161,6 +162,18 @@ impl Literal for Integer {
     const EXPECTED: &'static str = "a whole number";
 
     fn integer(value: i128) -> Option<Self> {
+        Some(Self(value))
+    }
+}
+
+/// Yes or no.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Switch(pub(crate) bool);
+
+impl Literal for Switch {
+    const EXPECTED: &'static str = "true or false";
+
+    fn truth(value: bool) -> Option<Self> {
         Some(Self(value))
     }
 }

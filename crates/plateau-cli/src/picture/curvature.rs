@@ -1,0 +1,146 @@
+//! A curve with its control polygon, and its curvature.
+
+use super::Picture;
+use super::axis::{Axis, frame, number};
+use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
+use crate::curve::sample;
+use crate::{Curve, CurveResult};
+
+/// Parameters at which the curve is drawn, besides the samples of the file.
+const FINE: usize = 401;
+/// Width and height.
+const SIZE: [f64; 2] = [860.0, 360.0];
+/// A largest curvature this many times that of nine tenths of the curve is cut off.
+const PEAK: f64 = 8.0;
+
+/// The picture of a curve; none if it cannot be drawn finely.
+pub(super) fn picture(plan: &Curve, result: &CurveResult) -> Option<Picture> {
+    let [start, end] = plan.basis.domain();
+    let samples = (0..FINE)
+        .map(|k| if k + 1 == FINE { end } else { start + (end - start) * (k as f64 / (FINE - 1) as f64) })
+        .collect();
+    let fine = sample(&Curve { samples, expect: Vec::new(), ..plan.clone() }).ok()?;
+    let mut svg = Svg::new(SIZE[0], SIZE[1], "The curve with its control polygon, and its curvature");
+    svg.text([20.0, 22.0], Anchor::Start, Font::TITLE, &result.name);
+    let caption = format!("length {} in {} samples", number(result.length[0]), result.t.len());
+    svg.text([20.0, 39.0], Anchor::Start, Font::SMALL, &caption);
+    shape(&mut svg, plan, &fine, result);
+    curvature(&mut svg, &fine, result, plan.dimension == 2);
+    let caption =
+        "The curve with its control polygon, and its curvature over the parameter; dots are the samples."
+            .into();
+    Some(Picture { name: "curvature", caption, svg: svg.finish() })
+}
+
+/// The curve in its plane; space curves from the front, the left and above.
+fn shape(svg: &mut Svg, plan: &Curve, fine: &CurveResult, result: &CurveResult) {
+    let flat = |p: [f64; 3]| {
+        if plan.dimension == 2 {
+            [p[0], p[1]]
+        } else {
+            [0.85 * p[0] + 0.53 * p[1], 0.26 * p[1] - 0.42 * p[0] + 0.87 * p[2]]
+        }
+    };
+    let polygon: Vec<[f64; 2]> = plan.points.iter().map(|&p| flat(p)).collect();
+    let curve: Vec<[f64; 2]> = fine.jets.iter().map(|jet| flat(jet.point.into())).collect();
+    let all = || polygon.iter().chain(&curve);
+    let bound = |k: usize, pick: fn(f64, f64) -> f64, from: f64| all().map(|p| p[k]).fold(from, pick);
+    let low = [0, 1].map(|k| bound(k, f64::min, f64::INFINITY));
+    let high = [0, 1].map(|k| bound(k, f64::max, f64::NEG_INFINITY));
+    // Equal scales on both axes, the shorter one padded.
+    let room = [312.0, 240.0];
+    let size = (0..2).map(|k| (high[k] - low[k]) / room[k]).fold(0.0, f64::max).max(f64::MIN_POSITIVE) * 1.08;
+    let range = |k: usize| {
+        let middle = 0.5 * low[k] + 0.5 * high[k];
+        (middle - 0.5 * size * room[k], middle + 0.5 * size * room[k])
+    };
+    let ((x0, x1), (y0, y1)) = (range(0), range(1));
+    let x = Axis::linear(x0, x1, [76.0, 76.0 + room[0]], 5);
+    let y = Axis::linear(y0, y1, [56.0 + room[1], 56.0], 5);
+    let labels =
+        if plan.dimension == 2 { ["x (length)", "y (length)"] } else { ["across (length)", "up (length)"] };
+    frame(svg, &x, &y, labels[0], labels[1]);
+    let at = |p: &[f64; 2]| [x.at(p[0]), y.at(p[1])];
+    let d = path(polygon.iter().map(at), false);
+    svg.element(format_args!(
+        r#"path d="{d}" fill="none" stroke="{FAINT}" stroke-width="1" stroke-dasharray="4 3""#
+    ));
+    for point in &polygon {
+        dot(svg, at(point), 3.0, "#ffffff", FAINT);
+    }
+    let d = path(curve.iter().map(at), false);
+    svg.element(format_args!(
+        r#"path d="{d}" fill="none" stroke="{ACCENT}" stroke-width="2" stroke-linejoin="round""#
+    ));
+    for jet in few(&result.jets) {
+        dot(svg, at(&flat(jet.point.into())), 2.6, INK, INK);
+    }
+}
+
+fn curvature(svg: &mut Svg, fine: &CurveResult, result: &CurveResult, signed: bool) {
+    let mut known: Vec<f64> = fine.curvature.iter().flatten().copied().collect();
+    let (left, right, top, bottom) = (500.0, 836.0, 56.0, 296.0);
+    let Some(largest) = known.iter().map(|k| k.abs()).reduce(f64::max) else {
+        svg.text(
+            [0.5 * (left + right), 176.0],
+            Anchor::Middle,
+            Font::SMALL,
+            "no point of it has a curvature",
+        );
+        return;
+    };
+    known.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+    let common = known[known.len() * 9 / 10].abs();
+    let cut = if largest > PEAK * common && common > 0.0 { PEAK * common } else { largest };
+    let shown = |k: f64| k.clamp(-cut, cut);
+    let low = known.iter().fold(0.0, |low: f64, &k| low.min(shown(k)));
+    let high = known.iter().fold(0.0, |high: f64, &k| high.max(shown(k)));
+    let pad = 0.06 * (high - low);
+    let (below, above) = (if low < 0.0 { pad } else { 0.0 }, if high > 0.0 { pad } else { 0.0 });
+    let t = Axis::linear(fine.t[0], fine.t[fine.t.len() - 1], [left, right], 5);
+    let k = Axis::linear(low - below, high + above, [bottom, top], 5);
+    let label = if signed { "signed curvature κ (1/length)" } else { "curvature κ (1/length)" };
+    frame(svg, &t, &k, "parameter t", label);
+    if low < 0.0 && high > 0.0 {
+        svg.line([left, k.at(0.0)], [right, k.at(0.0)], FAINT, 1.0);
+    }
+    // Where the curvature is missing or beyond the panel the line is broken.
+    let mut pieces: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
+    for (&at, value) in fine.t.iter().zip(&fine.curvature) {
+        match value.filter(|value| value.abs() <= cut) {
+            Some(value) => {
+                pieces.last_mut().into_iter().for_each(|piece| piece.push([t.at(at), k.at(value)]))
+            }
+            None => pieces.push(Vec::new()),
+        }
+    }
+    for piece in pieces.into_iter().filter(|piece| piece.len() > 1) {
+        let d = path(piece, false);
+        svg.element(format_args!(
+            r#"path d="{d}" fill="none" stroke="{ACCENT}" stroke-width="2" stroke-linejoin="round""#
+        ));
+    }
+    let samples: Vec<(f64, Option<f64>)> =
+        result.t.iter().copied().zip(result.curvature.iter().copied()).collect();
+    for (at, value) in few(&samples) {
+        if let Some(value) = value.filter(|value| value.abs() <= cut) {
+            dot(svg, [t.at(*at), k.at(value)], 2.6, INK, INK);
+        }
+    }
+    if cut < largest {
+        let note = format!("beyond the panel: up to {}", number(largest));
+        svg.text([right - 4.0, top - 6.0], Anchor::End, Font::SMALL, &note);
+    }
+}
+
+fn dot(svg: &mut Svg, [x, y]: [f64; 2], radius: f64, fill: &str, stroke: &str) {
+    let (x, y) = (Length(x), Length(y));
+    svg.element(format_args!(
+        r#"circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}" stroke="{stroke}" stroke-width="1""#
+    ));
+}
+
+/// The samples to mark: all, unless there are so many that they hide the curve.
+fn few<T>(samples: &[T]) -> &[T] {
+    if samples.len() <= 60 { samples } else { &[] }
+}

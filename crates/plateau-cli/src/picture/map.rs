@@ -1,0 +1,144 @@
+//! Mean curvature over the parameters, all methods on one scale: the nephograms of the papers.
+
+use std::fmt::Write;
+
+use surfaces::Domain;
+
+use super::axis::{Axis, frame, number};
+use super::svg::{Anchor, Font, INK, Length, Svg, path, shortened};
+use super::{Picture, arrange, colour, colour_bar, png};
+use crate::base64::base64;
+use crate::scene::{Field, Scene, Shown, spread};
+
+/// Most maps in one picture.
+const PANELS: usize = 12;
+/// Side of a map, in pixels of the picture.
+const SIDE: f64 = 190.0;
+/// Space a map takes with its axes and titles.
+const CELL: [f64; 2] = [258.0, 282.0];
+/// Space for the colour bar.
+const BAR: f64 = 110.0;
+/// Samples of a map in each direction; fewer where there are many maps.
+const PIXELS: [usize; 2] = [96, 64];
+/// Index of "no value" in the palette.
+const NO_VALUE: u8 = 255;
+/// Level curves, in units of the full scale.
+const LEVELS: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
+
+/// The maps of all surfaces; none if they are all minimal.
+pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
+    let full = scene.full_scale(Field::Mean)?;
+    let largest = scene.largest(Field::Mean)?;
+    let chosen = spread(scene.surfaces.len(), PANELS);
+    let [columns, rows] = arrange(chosen.len(), 4);
+    let (width, height) = (CELL[0] * columns as f64 + BAR, CELL[1] * rows as f64);
+    let mut svg = Svg::new(width, height, "Mean curvature H over the parameters u and v");
+    let pixels = PIXELS[usize::from(chosen.len() > 4)];
+    for (k, &index) in chosen.iter().enumerate() {
+        let shown = &scene.surfaces[index];
+        let image = raster(shown, full, pixels);
+        map(
+            &mut svg,
+            shown,
+            full,
+            &image,
+            [CELL[0] * (k % columns) as f64, CELL[1] * (k / columns) as f64],
+            k,
+        );
+    }
+    let bar = [CELL[0] * columns as f64 + 12.0, 46.0, SIDE];
+    colour_bar::draw(&mut svg, bar, Field::Mean, full, largest);
+    let caption =
+        "Mean curvature H over the parameters, all methods on one scale. Thin lines are level curves at \
+                   quarters of the scale, the thick line is H = 0."
+            .into();
+    Some(Picture { name: "mean-curvature", caption, svg: svg.finish() })
+}
+
+fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2], panel: usize) {
+    let (left, top) = (x + 56.0, y + 46.0);
+    let (right, bottom) = (left + SIDE, top + SIDE);
+    let values = shown.sample.values(Field::Mean);
+    let largest = values.iter().flatten().map(|h| h.abs()).reduce(f64::max);
+    let caption =
+        largest.map_or("singular everywhere".into(), |h| format!("max |H| = {} 1/length", number(h)));
+    svg.text([left, y + 18.0], Anchor::Start, Font::TITLE, &shortened(shown.name, 30));
+    svg.text([left, y + 35.0], Anchor::Start, Font::SMALL, &caption);
+
+    let (u, v) = match shown.sample.domain {
+        Domain::Rectangle { u, v } => (u, v),
+        Domain::Triangle => ((0.0, 1.0), (0.0, 1.0)),
+    };
+    let u = Axis::linear(u.0, u.1, [left, right], 4);
+    let v = Axis::linear(v.0, v.1, [bottom, top], 4);
+    frame(svg, &u, &v, "u", "v");
+
+    let clip = format!("map-{panel}");
+    let outline = match shown.sample.domain {
+        Domain::Rectangle { .. } => path([[left, top], [right, top], [right, bottom], [left, bottom]], true),
+        Domain::Triangle => path([[left, bottom], [right, bottom], [left, top]], true),
+    };
+    svg.raw(&format!("<clipPath id=\"{clip}\"><path d=\"{outline}\"/></clipPath>\n"));
+    let [left_px, top_px, side] = [left, top, SIDE].map(Length);
+    svg.element(format_args!(
+        r#"image x="{left_px}" y="{top_px}" width="{side}" height="{side}" preserveAspectRatio="none" clip-path="url(#{clip})" xlink:href="data:image/png;base64,{image}""#
+    ));
+    for (level, width) in LEVELS.map(|level| (level * full, if level == 0.0 { 1.4 } else { 0.5 })) {
+        let d = level_curve(shown, values, level, [left, bottom]);
+        if !d.is_empty() {
+            svg.element(format_args!(
+                r#"path d="{d}" fill="none" stroke="{INK}" stroke-width="{width}" stroke-linecap="round""#
+            ));
+        }
+    }
+    svg.element(format_args!(r#"path d="{outline}" fill="none" stroke="{INK}" stroke-width="1""#));
+}
+
+/// The map as a small PNG, which viewers smooth.
+fn raster(shown: &Shown<'_>, full: f64, side: usize) -> String {
+    let values = shown.sample.values(Field::Mean);
+    let mut palette: Vec<[u8; 3]> =
+        (0..NO_VALUE).map(|k| colour::diverging((f64::from(k) - 127.0) / 127.0)).collect();
+    palette.push(colour::NONE);
+    let at = |k: usize| (k as f64 + 0.5) / side as f64;
+    let mut pixels = Vec::with_capacity(side * side);
+    for row in (0..side).rev() {
+        for column in 0..side {
+            let value = shown.sample.interpolate(values, at(column), at(row));
+            // What lies beyond the scale has the colour of its end, as the points of the colour bar say.
+            pixels.push(
+                value.map_or(NO_VALUE, |h| (127.0 + 127.0 * (h / full).clamp(-1.0, 1.0)).round() as u8),
+            );
+        }
+    }
+    base64(&png::encode(side, &pixels, &palette))
+}
+
+/// The segments in which the linear interpolant on triangles has the value `level`.
+fn level_curve(shown: &Shown<'_>, values: &[Option<f64>], level: f64, [left, bottom]: [f64; 2]) -> String {
+    let sample = &shown.sample;
+    let [nu, nv] = sample.steps.map(|n| n as f64);
+    let mut d = String::new();
+    for face in sample.faces(1) {
+        for last in 2..face.len() {
+            let corners = [face[0], face[last - 1], face[last]];
+            let known: Option<Vec<f64>> = corners.iter().map(|&[a, b]| values[sample.at(a, b)]).collect();
+            let Some(known) = known else { continue };
+            let mut ends = Vec::with_capacity(2);
+            for (p, q) in [(0, 1), (1, 2), (2, 0)] {
+                let (f, g) = (known[p] - level, known[q] - level);
+                if (f < 0.0) != (g < 0.0) {
+                    let t = f / (f - g);
+                    let mix = |k: usize, n: f64| {
+                        (corners[p][k] as f64 + t * (corners[q][k] as f64 - corners[p][k] as f64)) / n
+                    };
+                    ends.push([left + SIDE * mix(0, nu), bottom - SIDE * mix(1, nv)]);
+                }
+            }
+            if let [from, to] = ends.as_slice() {
+                let _ = write!(d, "{}", path([*from, *to], false));
+            }
+        }
+    }
+    d
+}

@@ -1,0 +1,52 @@
+//! Pictures of an experiment as SVG, one kind a file. All are light, small, and need nothing but themselves.
+
+mod axis;
+pub(crate) mod colour;
+mod colour_bar;
+mod convergence;
+mod curvature;
+mod deformation;
+mod map;
+mod png;
+mod svg;
+mod view;
+
+pub(crate) use axis::digits;
+pub(crate) use svg::Escaped;
+
+use crate::scene::Scene;
+use crate::{Experiment, Finished, Plan};
+
+/// A picture with its name.
+pub(crate) struct Picture {
+    /// The name of its file, without `.svg`.
+    pub(crate) name: &'static str,
+    /// What it shows, in a sentence.
+    pub(crate) caption: String,
+    /// The whole file.
+    pub(crate) svg: String,
+}
+
+/// All pictures that an experiment gives rise to, in the order of a report. Those with nothing to show are left out: a
+/// minimal surface has no mean curvature.
+pub(crate) fn pictures(plan: &Plan, finished: &Finished, scene: Option<&Scene<'_>>) -> Vec<Picture> {
+    let mut pictures = Vec::new();
+    if let Some(scene) = scene {
+        pictures.extend(match deformation::frames(finished, scene) {
+            Some(frames) => deformation::picture(scene, &frames),
+            None => view::picture(scene),
+        });
+        pictures.extend(map::picture(scene));
+    }
+    pictures.extend(convergence::picture(finished));
+    if let (Experiment::Curve(curve), Some(result)) = (&plan.experiment, &finished.curve) {
+        pictures.extend(curvature::picture(curve, result));
+    }
+    pictures
+}
+
+/// Columns and rows for so many panels, at most `most` in a row and rows as even as possible.
+fn arrange(panels: usize, most: usize) -> [usize; 2] {
+    let rows = panels.div_ceil(most).max(1);
+    [panels.div_ceil(rows).max(1), rows]
+}

@@ -1,0 +1,221 @@
+use std::fmt::{self, Display, Write};
+
+/// Text colour.
+pub(super) const INK: &str = "#1c2733";
+/// Colour of what explains: ticks, captions.
+pub(super) const FAINT: &str = "#5a6673";
+/// Lines of a grid.
+pub(super) const GRID: &str = "#e3e7ec";
+/// The one line that matters.
+pub(super) const ACCENT: &str = "#b3261e";
+
+/// An SVG picture as it grows, on a white ground.
+pub(crate) struct Svg {
+    body: String,
+    width: f64,
+    height: f64,
+    title: String,
+}
+
+/// Where a text stands relative to its point.
+#[derive(Clone, Copy)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// How a text looks.
+#[derive(Clone, Copy)]
+pub(super) struct Font {
+    pub(super) size: f64,
+    pub(super) bold: bool,
+    pub(super) colour: &'static str,
+}
+
+impl Font {
+    /// Titles of panels.
+    pub(super) const TITLE: Self = Self { size: 13.0, bold: true, colour: INK };
+    /// Labels of axes.
+    pub(super) const LABEL: Self = Self { size: 12.0, bold: false, colour: INK };
+    /// Numbers at ticks, captions.
+    pub(super) const SMALL: Self = Self { size: 11.0, bold: false, colour: FAINT };
+}
+
+impl Svg {
+    /// An empty picture; `title` is read out by screen readers.
+    pub(super) fn new(width: f64, height: f64, title: &str) -> Self {
+        Self { body: String::new(), width, height, title: title.to_owned() }
+    }
+
+    /// An element without content: its name and attributes.
+    pub(super) fn element(&mut self, markup: fmt::Arguments<'_>) {
+        let _ = writeln!(self.body, "<{markup}/>");
+    }
+
+    /// Opens a group; [`Self::close`] ends it.
+    pub(super) fn open(&mut self, attributes: fmt::Arguments<'_>) {
+        let _ = writeln!(self.body, "<g {attributes}>");
+    }
+
+    pub(super) fn close(&mut self) {
+        self.body.push_str("</g>\n");
+    }
+
+    pub(super) fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], colour: &str, width: f64) {
+        let [x1, y1, x2, y2] = [x1, y1, x2, y2].map(Length);
+        self.element(format_args!(
+            r#"line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" stroke="{colour}" stroke-width="{width}""#
+        ));
+    }
+
+    pub(super) fn text(&mut self, at: [f64; 2], anchor: Anchor, font: Font, text: &str) {
+        self.turned_text(at, anchor, font, text, 0.0);
+    }
+
+    /// A text turned by so many degrees, clockwise.
+    pub(super) fn turned_text(
+        &mut self,
+        [x, y]: [f64; 2],
+        anchor: Anchor,
+        font: Font,
+        text: &str,
+        turn: f64,
+    ) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let [x, y] = [x, y].map(Length);
+        let weight = if font.bold { r#" font-weight="600""# } else { "" };
+        let transform =
+            if turn == 0.0 { String::new() } else { format!(r#" transform="rotate({turn} {x} {y})""#) };
+        let (size, colour, text) = (font.size, font.colour, Escaped(text));
+        let _ = writeln!(
+            self.body,
+            r#"<text x="{x}" y="{y}" text-anchor="{anchor}" font-size="{size}"{weight} fill="{colour}"{transform}>{text}</text>"#
+        );
+    }
+
+    /// A rectangle that `clip-path="url(#name)"` refers to.
+    pub(super) fn clip(&mut self, name: &str, [left, top, right, bottom]: [f64; 4]) {
+        let [x, y, w, h] = [left, top, right - left, bottom - top].map(Length);
+        let _ = writeln!(
+            self.body,
+            r#"<clipPath id="{name}"><rect x="{x}" y="{y}" width="{w}" height="{h}"/></clipPath>"#
+        );
+    }
+
+    /// Raw markup, already escaped.
+    pub(super) fn raw(&mut self, markup: &str) {
+        self.body.push_str(markup);
+    }
+
+    /// The whole picture.
+    pub(super) fn finish(self) -> String {
+        let (w, h, title) = (Length(self.width), Length(self.height), Escaped(&self.title));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
+             viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+             font-family=\"system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\">\n\
+             <title>{title}</title>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}</svg>\n",
+            self.body
+        )
+    }
+}
+
+/// A coordinate in pixels, to a tenth.
+pub(super) struct Length(pub(super) f64);
+
+impl Display for Length {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let tenths = (self.0 * 10.0).round() as i64;
+        let (sign, size) = (if tenths < 0 { "-" } else { "" }, tenths.unsigned_abs());
+        match size % 10 {
+            0 => write!(f, "{sign}{}", size / 10),
+            tenth => write!(f, "{sign}{}.{tenth}", size / 10),
+        }
+    }
+}
+
+/// Text as character data of XML and HTML, safe in attributes too. Characters XML does not admit become U+FFFD.
+pub(crate) struct Escaped<'a>(pub(crate) &'a str);
+
+impl Display for Escaped<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for c in self.0.chars() {
+            match c {
+                '<' => f.write_str("&lt;")?,
+                '>' => f.write_str("&gt;")?,
+                '&' => f.write_str("&amp;")?,
+                '"' => f.write_str("&quot;")?,
+                '\'' => f.write_str("&#39;")?,
+                '\t' | '\n' | '\r' => f.write_char(c)?,
+                '\0'..'\u{20}' | '\u{7f}'..'\u{a0}' | '\u{fffe}' | '\u{ffff}' => f.write_char('\u{fffd}')?,
+                _ => f.write_char(c)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A closed or open path through points, relative to the tenth of a pixel: the shortest way to write it.
+pub(super) fn path(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> String {
+    let mut d = String::new();
+    let mut last: Option<[i64; 2]> = None;
+    for point in points {
+        let here = point.map(|x| (x * 10.0).round() as i64);
+        let (letter, step) = match last {
+            None => ("M", here),
+            Some(last) => ("l", [here[0] - last[0], here[1] - last[1]]),
+        };
+        let [x, y] = step.map(|tenths| Length(tenths as f64 / 10.0));
+        if last.is_none() || step != [0, 0] {
+            let _ = write!(d, "{letter}{x} {y}");
+        }
+        last = Some(here);
+    }
+    if closed {
+        d.push('z');
+    }
+    d
+}
+
+/// `text` in at most `most` characters, its middle left out if it must be.
+pub(super) fn shortened(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.to_owned();
+    }
+    let head: String = text.chars().take(most.div_ceil(2)).collect();
+    let tail: String = text.chars().skip(count - (most / 2).saturating_sub(1)).collect();
+    format!("{}…{}", head.trim_end(), tail.trim_start())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_short() {
+        let shown = [0.0, -0.04, 3.0, 2.14159, -12.55, 100.96].map(|x| Length(x).to_string());
+        assert_eq!(shown, ["0", "0", "3", "2.1", "-12.6", "101"]);
+    }
+
+    #[test]
+    fn paths_end_where_they_should() {
+        assert_eq!(path([[0.0, 0.0], [1.04, 0.0], [2.08, 0.0]], true), "M0 0l1 0l1.1 0z");
+    }
+
+    #[test]
+    fn texts_lose_their_middle() {
+        assert_eq!(shortened("frame 07 of 11", 20), "frame 07 of 11");
+        assert_eq!(shortened("abcdefghijklmnop", 8), "abcd…nop");
+    }
+
+    #[test]
+    fn no_markup_and_no_control_characters_survive() {
+        assert_eq!(Escaped("</a> & \"'\u{1}").to_string(), "&lt;/a&gt; &amp; &quot;&#39;\u{fffd}");
+    }
+}

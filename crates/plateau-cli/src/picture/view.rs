@@ -1,0 +1,199 @@
+//! Surfaces as they stand in space, with their control nets: one camera and one scale for all methods.
+
+use surfaces::Point;
+
+use super::axis::digits;
+use super::svg::{Anchor, FAINT, Font, INK, Length, Svg, path, shortened};
+use super::{Picture, arrange, colour, colour_bar};
+use crate::scene::{Field, LARGEST_NET, Scene, Shown, spread};
+
+/// Most views in one picture.
+const PANELS: usize = 12;
+/// Faces of all surfaces of a picture together: bounds its size.
+const FACES: usize = 3600;
+/// Width and height of one view.
+const CELL: [f64; 2] = [290.0, 290.0];
+/// Height of the title above it.
+const HEAD: f64 = 42.0;
+/// Space for the colour bar.
+const BAR: f64 = 110.0;
+
+/// The views of all surfaces, coloured by mean curvature, or by Gauss curvature where they are all minimal.
+pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
+    let field = if scene.full_scale(Field::Mean).is_some() { Field::Mean } else { Field::Gauss };
+    let full = scene.full_scale(field);
+    let chosen: Vec<&Shown<'_>> =
+        spread(scene.surfaces.len(), PANELS).into_iter().map(|k| &scene.surfaces[k]).collect();
+    let [columns, rows] = arrange(chosen.len(), 4);
+    let cell = [CELL[0], CELL[1] + HEAD];
+    let bar = if full.is_some() { BAR } else { 0.0 };
+    let mut svg = Svg::new(
+        cell[0] * columns as f64 + bar,
+        cell[1] * rows as f64,
+        "The surfaces with their control nets",
+    );
+    let camera = Camera::fitting(scene, &chosen, true, CELL);
+    for (k, shown) in chosen.iter().enumerate() {
+        let (x, y) = (cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64);
+        svg.text([x + 16.0, y + 18.0], Anchor::Start, Font::TITLE, &shortened(shown.name, 34));
+        let mut caption = format!("area {} length²", digits(shown.done.figures.area.value, 7));
+        let times = shown.net_size();
+        if times > LARGEST_NET {
+            caption += &format!("; net {}× larger, not drawn", digits(times, 2));
+        }
+        svg.text([x + 16.0, y + 35.0], Anchor::Start, Font::SMALL, &caption);
+        let clip = format!("view-{k}");
+        svg.clip(&clip, [x, y + HEAD, x + CELL[0], y + HEAD + CELL[1]]);
+        svg.open(format_args!(r#"clip-path="url(#{clip})""#));
+        let at = [x + 0.5 * CELL[0], y + HEAD + 0.5 * CELL[1]];
+        surface(&mut svg, scene, shown, &camera, at, full.map(|full| (field, full)), FACES / chosen.len());
+        if times <= LARGEST_NET {
+            control_net(&mut svg, scene, shown, &camera, at);
+        }
+        svg.close();
+    }
+    axes(&mut svg, &camera, [30.0, cell[1] - 24.0]);
+    if let (Some(full), Some(largest)) = (full, scene.largest(field)) {
+        let at = [cell[0] * columns as f64 + 12.0, HEAD + 30.0, CELL[1] - 60.0];
+        colour_bar::draw(&mut svg, at, field, full, largest);
+    }
+    let coloured = if full.is_some() {
+        format!(", coloured by {} {}", field.name(), field.symbol())
+    } else {
+        String::new()
+    };
+    let caption =
+        format!("The surfaces with their control nets, from one direction and on one scale{coloured}.");
+    Some(Picture { name: "surfaces", caption, svg: svg.finish() })
+}
+
+/// A parallel projection from the front, the left and above.
+pub(super) struct Camera {
+    right: Point,
+    up: Point,
+    towards: Point,
+    scale: f64,
+    middle: [f64; 2],
+}
+
+impl Camera {
+    /// The camera in which all surfaces, and with `nets` their nets as far as they are drawn, fill a panel.
+    pub(super) fn fitting(scene: &Scene<'_>, shown: &[&Shown<'_>], nets: bool, panel: [f64; 2]) -> Self {
+        let (azimuth, elevation) = (-1.02_f64, 0.52_f64);
+        let (sa, ca) = (libm::sin(azimuth), libm::cos(azimuth));
+        let (se, ce) = (libm::sin(elevation), libm::cos(elevation));
+        let mut camera = Self {
+            right: Point::new(-sa, ca, 0.0),
+            up: Point::new(-se * ca, -se * sa, ce),
+            towards: Point::new(ce * ca, ce * sa, se),
+            scale: 1.0,
+            middle: [0.0; 2],
+        };
+        let nets = shown.iter().filter(|s| nets && s.net_size() <= LARGEST_NET).flat_map(|s| &s.net.points);
+        let [low, high] = camera.extent(scene, shown.iter().flat_map(|s| &s.sample.points).chain(nets));
+        camera.middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
+        let fit = |k: usize, room: f64| room / (high[k] - low[k]).max(1e-3);
+        camera.scale = fit(0, panel[0] - 28.0).min(fit(1, panel[1] - 28.0));
+        camera
+    }
+
+    fn extent<'a>(&self, scene: &Scene<'_>, points: impl Iterator<Item = &'a Point>) -> [[f64; 2]; 2] {
+        points.map(|&p| scene.local(p)).fold(
+            [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
+            |[low, high], p| {
+                let at = [p.dot(self.right), -p.dot(self.up)];
+                [[low[0].min(at[0]), low[1].min(at[1])], [high[0].max(at[0]), high[1].max(at[1])]]
+            },
+        )
+    }
+
+    /// Where a point of the scene's frame lies in a panel around `at`.
+    fn project(&self, p: Point, at: [f64; 2]) -> [f64; 2] {
+        [
+            at[0] + self.scale * (p.dot(self.right) - self.middle[0]),
+            at[1] + self.scale * (-p.dot(self.up) - self.middle[1]),
+        ]
+    }
+}
+
+/// Draws the faces of a surface, the farthest first.
+pub(super) fn surface(
+    svg: &mut Svg,
+    scene: &Scene<'_>,
+    shown: &Shown<'_>,
+    camera: &Camera,
+    at: [f64; 2],
+    scale: Option<(Field, f64)>,
+    most: usize,
+) {
+    let sample = &shown.sample;
+    let stride = [1, 2, 4].into_iter().find(|&s| sample.faces(s).len() <= most).unwrap_or(4);
+    let light = (camera.towards + camera.up * 0.7 - camera.right * 0.5).unit().unwrap_or(camera.towards);
+    let mut faces: Vec<(f64, String)> = sample
+        .faces(stride)
+        .into_iter()
+        .map(|face| {
+            let corners: Vec<usize> = face.iter().map(|&[a, b]| sample.at(a, b)).collect();
+            let points: Vec<Point> = corners.iter().map(|&k| scene.local(sample.points[k])).collect();
+            let share = 1.0 / corners.len() as f64;
+            let middle = points.iter().fold(Point::ZERO, |sum, &p| sum + p) * share;
+            // Twice the area of the face, as a vector.
+            let normal = (points[2] - points[0]).cross(points[points.len() - 1] - points[1]);
+            let bright = normal.unit().map_or(1.0, |n| 0.68 + 0.32 * n.dot(light).abs());
+            let plain = scale.map_or([233, 236, 240], |(field, full)| {
+                let values = sample.values(field);
+                let sum: Option<f64> = corners.iter().map(|&k| values[k].map(|x| x / full)).sum();
+                sum.map_or(colour::NONE, |sum| colour::diverging(sum * share))
+            });
+            let centre = camera.project(middle, at);
+            // A little larger, so that no gap shows between neighbours.
+            let grown = points.iter().map(|&p| {
+                let q = camera.project(p, at);
+                let away = [q[0] - centre[0], q[1] - centre[1]];
+                let grow = 1.0 + 0.35 / libm::hypot(away[0], away[1]).max(0.35);
+                [centre[0] + grow * away[0], centre[1] + grow * away[1]]
+            });
+            let fill = colour::hex(colour::lit(plain, bright));
+            (middle.dot(camera.towards), format!("<path fill=\"{fill}\" d=\"{}\"/>\n", path(grown, true)))
+        })
+        .collect();
+    faces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    faces.iter().for_each(|(_, face)| svg.raw(face));
+    let rim = sample.outline().into_iter().map(|[a, b]| sample.points[sample.at(a, b)]);
+    let rim = path(rim.map(|p| camera.project(scene.local(p), at)), true);
+    svg.element(format_args!(
+        r#"path d="{rim}" fill="none" stroke="{INK}" stroke-width="0.9" stroke-linejoin="round" stroke-opacity="0.75""#
+    ));
+}
+
+fn control_net(svg: &mut Svg, scene: &Scene<'_>, shown: &Shown<'_>, camera: &Camera, at: [f64; 2]) {
+    let net = &shown.net;
+    let places: Vec<[f64; 2]> = net.points.iter().map(|&p| camera.project(scene.local(p), at)).collect();
+    let lines: String = net.edges.iter().map(|&[p, q]| path([places[p], places[q]], false)).collect();
+    let dense = net.points.len() > 100;
+    let width = if dense { 0.4 } else { 0.8 };
+    svg.element(format_args!(
+        r#"path d="{lines}" fill="none" stroke="{INK}" stroke-width="{width}" stroke-opacity="0.6""#
+    ));
+    let radius = if dense { 1.2 } else { 2.3 };
+    for (&[x, y], &boundary) in places.iter().zip(&net.on_boundary) {
+        let fill = if boundary { INK } else { "#ffffff" };
+        let (x, y) = (Length(x), Length(y));
+        svg.element(format_args!(
+            r#"circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}" stroke="{INK}" stroke-width="0.8""#
+        ));
+    }
+}
+
+/// The directions of x, y and z.
+pub(super) fn axes(svg: &mut Svg, camera: &Camera, origin: [f64; 2]) {
+    let units = [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0]), ("z", [0.0, 0.0, 1.0])];
+    for (name, unit) in units {
+        let unit = Point::from(unit);
+        let way = [unit.dot(camera.right), -unit.dot(camera.up)];
+        let end = |length: f64| [origin[0] + length * way[0], origin[1] + length * way[1]];
+        svg.line(origin, end(18.0), FAINT, 1.2);
+        let [x, y] = end(25.0);
+        svg.text([x, y + 4.0], Anchor::Middle, Font::SMALL, name);
+    }
+}

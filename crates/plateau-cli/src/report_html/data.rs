@@ -1,0 +1,87 @@
+//! The surfaces as the viewer of the report reads them.
+
+use serde_json::{Value, json};
+
+use crate::base64::base64;
+use crate::picture::{colour, digits};
+use crate::scene::{Field, LARGEST_NET, Scene, Shown};
+
+/// The data of the viewer as JSON that may stand inside a script element. Points are in the frame of the scene, values in
+/// units of the full scale of their field, NaN where there is none; both little-endian `f32` in base64.
+pub(super) fn json(scene: Option<&Scene<'_>>) -> String {
+    let value = scene.map_or(Value::Null, scene_value);
+    // No text can then end the element, whatever names are in it.
+    value.to_string().replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
+}
+
+fn scene_value(scene: &Scene<'_>) -> Value {
+    let fields: Vec<(Field, f64)> =
+        Field::ALL.into_iter().filter_map(|field| Some((field, scene.full_scale(field)?))).collect();
+    let described: Vec<Value> = fields
+        .iter()
+        .map(|&(field, full)| {
+            json!({
+                "symbol": field.symbol(),
+                "name": field.name(),
+                "label": match field {
+                    Field::Mean | Field::Gauss | Field::Laplacian => field.symbol(),
+                    Field::Conformality => "conformality",
+                },
+                "unit": field.unit(),
+                "signed": field.is_signed(),
+                "full": full,
+                "largest": scene.largest(field),
+            })
+        })
+        .collect();
+    let scale = |colour: &dyn Fn(f64) -> [u8; 3]| {
+        let colours: Vec<u8> = (0..=255u8).flat_map(|k| colour(f64::from(k) / 255.0)).collect();
+        base64(&colours)
+    };
+    json!({
+        "fields": described,
+        "scales": [scale(&|t| colour::diverging(2.0 * t - 1.0)), scale(&colour::sequential)],
+        "none": colour::NONE,
+        "surfaces": scene.surfaces.iter().map(|shown| surface(scene, shown, &fields)).collect::<Vec<_>>(),
+    })
+}
+
+fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Value {
+    let points = |points: &[surfaces::Point]| {
+        let local = points.iter().map(|&p| <[f64; 3]>::from(scene.local(p)));
+        floats(local.flat_map(|p| p.map(|x| x as f32)))
+    };
+    let values: Vec<String> = fields
+        .iter()
+        .map(|&(field, full)| {
+            let values = shown.sample.values(field).iter();
+            floats(values.map(|value| value.map_or(f32::NAN, |x| (x / full) as f32)))
+        })
+        .collect();
+    let net = &shown.net;
+    let edges: Vec<u8> = net.edges.iter().flatten().flat_map(|&k| (k as u16).to_le_bytes()).collect();
+    let figures = &shown.done.figures;
+    let mut caption = format!("area {} length²", digits(figures.area.value, 9));
+    if let Some(largest) = figures.mean_curvature_max {
+        caption += &format!(", max |H| {} 1/length", digits(largest, 4));
+    }
+    json!({
+        "name": shown.name,
+        "caption": caption,
+        "steps": shown.sample.steps,
+        "triangle": shown.sample.domain == surfaces::Domain::Triangle,
+        "points": points(&shown.sample.points),
+        "values": values,
+        "net": {
+            "large": shown.net_size() > LARGEST_NET,
+            "points": points(&net.points),
+            "boundary": net.on_boundary.iter().map(|&b| u8::from(b)).collect::<Vec<_>>(),
+            "edges": base64(&edges),
+        },
+    })
+}
+
+fn floats(values: impl Iterator<Item = f32>) -> String {
+    let bytes: Vec<u8> = values.flat_map(f32::to_le_bytes).collect();
+    base64(&bytes)
+}

@@ -1,0 +1,200 @@
+use surfaces::{Domain, Jet, Point};
+
+use super::Field;
+use crate::Surface;
+
+/// Subdivisions of a side where the budget allows.
+const FINE: usize = 48;
+
+/// Fewest subdivisions of a side.
+const COARSE: usize = 12;
+
+/// Subdivisions wanted of each of several pieces.
+const PER_PIECE: usize = 12;
+
+/// All subdivisions are multiples of this, so that coarser faces fit.
+const STEP: usize = 4;
+
+/// A surface on a grid of its domain.
+pub(crate) struct Sample {
+    /// The domain.
+    pub(crate) domain: Domain,
+    /// Subdivisions in u and v; the same for triangles. Multiples of 4.
+    pub(crate) steps: [usize; 2],
+    /// Points. Over a rectangle all v of the first u first; over a triangle row a holds n − a + 1 points with u = a/n.
+    pub(crate) points: Vec<Point>,
+    fields: [Vec<Option<f64>>; 4],
+}
+
+impl Sample {
+    /// Samples a surface at about `budget` vertices, at most 49² of a single patch.
+    pub(super) fn of(surface: &Surface, budget: usize) -> Self {
+        let patch = surface.patch();
+        let domain = patch.domain();
+        let steps = match surface {
+            Surface::Pieces(pieces) => steps(pieces.shape(), budget),
+            Surface::Tensor(_) => steps([1, 1], budget),
+            Surface::Triangle(_) => steps([1, 1], 2 * budget),
+        };
+        let jets: Vec<Jet> = match domain {
+            Domain::Rectangle { u, v } => patch.jets(&even(u, steps[0]), &even(v, steps[1])),
+            Domain::Triangle => {
+                let at = even((0.0, 1.0), steps[0]);
+                let rows = (0..=steps[0]).flat_map(|a| (0..=steps[0] - a).map(move |b| (a, b)));
+                rows.map(|(a, b)| patch.jet(at[a], at[b])).collect()
+            }
+        };
+        let fields = Field::ALL.map(|field| jets.iter().map(|jet| field.of(jet)).collect());
+        Self { domain, steps, points: jets.iter().map(|jet| jet.point).collect(), fields }
+    }
+
+    /// The values of a field at the points; none where it does not exist.
+    pub(crate) fn values(&self, field: Field) -> &[Option<f64>] {
+        &self.fields[field as usize]
+    }
+
+    /// The index of the point (a, b) of the grid.
+    pub(crate) fn at(&self, a: usize, b: usize) -> usize {
+        match self.domain {
+            Domain::Rectangle { .. } => a * (self.steps[1] + 1) + b,
+            // Row a starts after rows of n + 1, n, … points.
+            Domain::Triangle => a * (self.steps[0] + 1) - a * a.saturating_sub(1) / 2 + b,
+        }
+    }
+
+    /// The corners in the grid of the faces of `stride` cells a side: rectangles of a rectangle, triangles of a triangle.
+    /// `stride` divides the steps.
+    pub(crate) fn faces(&self, stride: usize) -> Vec<Vec<[usize; 2]>> {
+        let [nu, nv] = self.steps;
+        let s = stride;
+        let mut faces = Vec::new();
+        match self.domain {
+            Domain::Rectangle { .. } => {
+                for a in (0..nu).step_by(s) {
+                    for b in (0..nv).step_by(s) {
+                        faces.push(vec![[a, b], [a + s, b], [a + s, b + s], [a, b + s]]);
+                    }
+                }
+            }
+            Domain::Triangle => {
+                for a in (0..nu).step_by(s) {
+                    for b in (0..nu - a).step_by(s) {
+                        faces.push(vec![[a, b], [a + s, b], [a, b + s]]);
+                        if a + b + 2 * s <= nu {
+                            faces.push(vec![[a + s, b], [a + s, b + s], [a, b + s]]);
+                        }
+                    }
+                }
+            }
+        }
+        faces
+    }
+
+    /// The closed polygon of the boundary, as points of the grid.
+    pub(crate) fn outline(&self) -> Vec<[usize; 2]> {
+        let [nu, nv] = self.steps;
+        match self.domain {
+            Domain::Rectangle { .. } => {
+                let (there, up) = ((0..nu).map(|a| [a, 0]), (0..nv).map(move |b| [nu, b]));
+                let (back, down) = ((1..=nu).rev().map(move |a| [a, nv]), (1..=nv).rev().map(|b| [0, b]));
+                there.chain(up).chain(back).chain(down).collect()
+            }
+            Domain::Triangle => {
+                let (there, slope) = ((0..nu).map(|a| [a, 0]), (1..=nu).rev().map(move |a| [a, nu - a]));
+                there.chain(slope).chain((1..=nu).rev().map(|b| [0, b])).collect()
+            }
+        }
+    }
+
+    /// The bilinear interpolant (linear over triangles) of `values` at (s, t) ∈ [0, 1]² of the domain; over a triangle,
+    /// points beyond the slanted side are drawn back to it. None where a neighbour has no value.
+    pub(crate) fn interpolate(&self, values: &[Option<f64>], s: f64, t: f64) -> Option<f64> {
+        let [nu, nv] = self.steps.map(|n| n as f64);
+        match self.domain {
+            Domain::Rectangle { .. } => {
+                let (x, y) = (s * nu, t * nv);
+                let a = (x as usize).min(self.steps[0] - 1);
+                let b = (y as usize).min(self.steps[1] - 1);
+                let (p, q) = (x - a as f64, y - b as f64);
+                let value = |a, b| values[self.at(a, b)];
+                let low = value(a, b)? * (1.0 - q) + value(a, b + 1)? * q;
+                let high = value(a + 1, b)? * (1.0 - q) + value(a + 1, b + 1)? * q;
+                Some(low * (1.0 - p) + high * p)
+            }
+            Domain::Triangle => {
+                let beyond = (s + t).max(1.0);
+                let (x, y) = (s / beyond * nu, t / beyond * nu);
+                let n = self.steps[0];
+                let a = (x as usize).min(n - 1);
+                let b = (y as usize).min(n - 1 - a);
+                let (p, q) = (x - a as f64, y - b as f64);
+                let value = |a, b| values[self.at(a, b)];
+                if p + q <= 1.0 || a + b + 2 > n {
+                    Some(value(a, b)? * (1.0 - p - q) + value(a + 1, b)? * p + value(a, b + 1)? * q)
+                } else {
+                    let corner = value(a + 1, b + 1)? * (p + q - 1.0);
+                    Some(corner + value(a + 1, b)? * (1.0 - q) + value(a, b + 1)? * (1.0 - p))
+                }
+            }
+        }
+    }
+}
+
+/// Subdivisions of both sides of a surface of so many pieces, within a budget of vertices where the coarsest grid allows.
+fn steps(pieces: [usize; 2], budget: usize) -> [usize; 2] {
+    let wanted = pieces.map(|count| (count * PER_PIECE).clamp(FINE, 240) as f64);
+    let vertices = (wanted[0] + 1.0) * (wanted[1] + 1.0);
+    let shrink = (budget as f64 / vertices).sqrt().min(1.0);
+    wanted.map(|n| ((n * shrink) as usize / STEP * STEP).max(COARSE))
+}
+
+fn even((start, end): (f64, f64), steps: usize) -> Vec<f64> {
+    let at = |k: usize| if k == steps { end } else { start + (end - start) * (k as f64 / steps as f64) };
+    (0..=steps).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use surfaces::{TriangleNet, TrianglePatch};
+
+    fn triangle() -> Sample {
+        let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]].map(Point::from);
+        let net = TriangleNet::new(1, corners.into()).unwrap();
+        Sample::of(&Surface::Triangle(TrianglePatch::new(net).unwrap()), 400)
+    }
+
+    #[test]
+    fn triangular_grids_are_numbered_without_gaps() {
+        let sample = triangle();
+        let n = sample.steps[0];
+        let numbers: Vec<usize> =
+            (0..=n).flat_map(|a| (0..=n - a).map(move |b| (a, b))).map(|(a, b)| sample.at(a, b)).collect();
+        assert_eq!(numbers, (0..sample.points.len()).collect::<Vec<_>>());
+        assert_eq!(sample.faces(1).len(), n * n);
+        assert_eq!(sample.faces(4).len(), n * n / 16);
+        assert_eq!(sample.outline().len(), 3 * n);
+    }
+
+    #[test]
+    fn interpolation_reproduces_linear_functions() {
+        let sample = triangle();
+        let n = sample.steps[0];
+        let linear = |s: f64, t: f64| 3.0 + 2.0 * s - 5.0 * t;
+        let grid = (0..=n).flat_map(|a| (0..=n - a).map(move |b| (a as f64 / n as f64, b as f64 / n as f64)));
+        let values: Vec<Option<f64>> = grid.map(|(s, t)| Some(linear(s, t))).collect();
+        for (s, t) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.31, 0.27), (0.05, 0.94), (0.5, 0.5)] {
+            let found = sample.interpolate(&values, s, t).unwrap();
+            assert!((found - linear(s, t)).abs() < 1e-12, "{s} {t} {found}");
+        }
+    }
+
+    #[test]
+    fn long_surfaces_get_more_steps_along_their_length() {
+        assert_eq!(steps([1, 1], 10_000), [48, 48]);
+        let [u, v] = steps([1, 20], 14_000);
+        assert!(v >= 200 && u >= 40, "{u} {v}");
+        let [u, v] = steps([1, 1], 583);
+        assert!((u + 1) * (v + 1) <= 583 && u == v, "{u} {v}");
+    }
+}

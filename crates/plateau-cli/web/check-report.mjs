@@ -1,0 +1,100 @@
+// Opens reports in a headless Chromium and looks at them:
+//
+//   npm install && node check-report.mjs [--pictures DIR] report.html…
+//
+// CHROMIUM names the browser (default: chromium). A report passes if it opens without a message on the console and
+// without a request beyond its own file, is smaller than 1.5 MB, and if another surface, another colouring, a turn by
+// keyboard and the switch of the net each change the picture of the view. With --pictures, screenshots (desktop, phone,
+// dark) are kept in DIR.
+
+import { mkdirSync, statSync } from "node:fs";
+import { basename, dirname, join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const LARGEST = 1.5e6;
+const words = process.argv.slice(2);
+const keep = words[0] === "--pictures" ? words.splice(0, 2)[1] : null;
+if (!words.length) {
+  console.error("usage: node check-report.mjs [--pictures DIR] report.html…");
+  process.exit(2);
+}
+if (keep) mkdirSync(keep, { recursive: true });
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+         "--disable-background-networking"],
+});
+let failed = 0;
+const settle = (page) => page.evaluate(() => new Promise((done) =>
+  requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))));
+
+for (const file of words) {
+  const faults = [];
+  const must = (holds, fault) => holds || faults.push(fault);
+  const url = pathToFileURL(resolve(file)).href;
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: "light" });
+  // Reading the picture back stalls software rendering; Chromium remarks on it.
+  page.on("console", (message) =>
+    message.text().includes("ReadPixels") || faults.push(`console: ${message.type()}: ${message.text()}`));
+  page.on("pageerror", (error) => faults.push(`error: ${error.message}`));
+  page.on("request", (request) =>
+    must(request.url() === url || request.url().startsWith("data:"), `request: ${request.url()}`));
+  const begun = Date.now();
+  await page.goto(url, { waitUntil: "load" });
+  await settle(page);
+  const opened = Date.now() - begun;
+  const size = statSync(file).size;
+  must(size < LARGEST, `${size} bytes`);
+
+  const canvas = page.locator("#view");
+  if (await canvas.count()) {
+    must(await canvas.isVisible(), "the view is hidden: no WebGL");
+    const seen = async () => { await settle(page); return (await canvas.screenshot()).toString("base64"); };
+    const changes = async (what, act) => {
+      const before = await seen();
+      await act();
+      must((await seen()) !== before, `${what} does not change the picture`);
+    };
+    const chips = page.locator("#methods .chip");
+    const slider = page.locator("#frame");
+    if (await slider.count()) await changes("another frame", () => slider.press("ArrowRight"));
+    else if ((await chips.count()) > 1) await changes("another surface", () => chips.nth(1).click());
+    if ((await page.locator("#fields .chip").count()) > 1)
+      await changes("another colour", () => page.locator("#fields .chip").nth(1).click());
+    await changes("an arrow key", () => canvas.press("ArrowLeft"));
+    await changes("a drag", async () => {
+      const box = await canvas.boundingBox();
+      await page.mouse.move(box.x + 200, box.y + 150);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 260, box.y + 180);
+      await page.mouse.up();
+    });
+    if (await page.evaluate(() => JSON.parse(document.getElementById("surfaces").textContent).surfaces
+      .every((s) => s.net.points))) await changes("the control net", () => page.locator("#net").click());
+    await changes("parameter lines", () => page.locator("#wires").click());
+  }
+  if (keep) {
+    const name = basename(dirname(resolve(file)));
+    const shot = async (suffix, options, whole) => {
+      const view = await browser.newPage({ deviceScaleFactor: 1, ...options });
+      await view.goto(url, { waitUntil: "load" });
+      await settle(view);
+      await view.screenshot({ path: join(keep, `${name}-${suffix}.png`), fullPage: whole });
+      const wide = await view.evaluate(() => document.documentElement.scrollWidth > innerWidth + 1);
+      must(!wide, `${suffix}: the page is wider than the window`);
+      await view.close();
+    };
+    await shot("desktop", { viewport: { width: 1280, height: 900 }, colorScheme: "light" }, true);
+    await shot("dark", { viewport: { width: 1280, height: 900 }, colorScheme: "dark" }, true);
+    await shot("phone", { viewport: { width: 390, height: 844 }, colorScheme: "light", deviceScaleFactor: 2 }, false);
+    await shot("phone-whole", { viewport: { width: 390, height: 844 }, colorScheme: "light" }, true);
+  }
+  await page.close();
+  console.log(`${faults.length ? "FAILED" : "ok"} ${file}: ${(size / 1e3).toFixed(0)} kB, open in ${opened} ms`);
+  for (const fault of faults) console.log(`  ${fault}`);
+  failed += faults.length > 0;
+}
+await browser.close();
+process.exit(failed ? 1 : 0);

@@ -1,0 +1,491 @@
+// The interactive view of a report: one canvas, WebGL 1, no dependency. Data comes from the element #surfaces.
+"use strict";
+(() => {
+  const $ = (id) => document.getElementById(id);
+  const data = JSON.parse($("surfaces").textContent);
+  const root = document.documentElement;
+
+  $("theme").addEventListener("click", () => {
+    const dark = isDark();
+    root.dataset.theme = dark ? "light" : "dark";
+    draw();
+  });
+  const isDark = () =>
+    root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw());
+
+  let draw = () => {};
+  if (!data) return;
+  const canvas = $("view");
+  const gl = canvas.getContext("webgl", { antialias: true, alpha: true, premultipliedAlpha: true });
+  if (!gl) {
+    $("no-webgl").hidden = false;
+    $("stage").hidden = true;
+    return;
+  }
+
+  // ---- data ------------------------------------------------------------------------------------------------------
+  const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  const floats = (text) => new Float32Array(bytes(text).buffer);
+  const NONE = 1e9; // a vertex without a value
+  const FOCAL = 1 / Math.tan(0.25);
+
+  function grid(surface) {
+    const [nu, nv] = surface.steps;
+    const at = surface.triangle
+      ? (a, b) => a * (nu + 1) - (a * (a - 1)) / 2 + b
+      : (a, b) => a * (nv + 1) + b;
+    const faces = [], wires = [], rim = [];
+    const line = (list, points) => points.slice(1).forEach((p, k) => list.push(points[k], p));
+    const range = (n) => Array.from({ length: n + 1 }, (_, k) => k);
+    if (surface.triangle) {
+      for (let a = 0; a < nu; a++)
+        for (let b = 0; b < nu - a; b++) {
+          faces.push(at(a, b), at(a + 1, b), at(a, b + 1));
+          if (a + b + 2 <= nu) faces.push(at(a + 1, b), at(a + 1, b + 1), at(a, b + 1));
+        }
+      for (let k = 0; k < nu; k += 4) {
+        line(wires, range(nu - k).map((b) => at(k, b)));
+        line(wires, range(nu - k).map((a) => at(a, k)));
+        line(wires, range(nu - k).map((a) => at(a, nu - k - a)));
+      }
+      line(rim, range(nu).map((b) => at(0, b)));
+      line(rim, range(nu).map((a) => at(a, 0)));
+      line(rim, range(nu).map((a) => at(a, nu - a)));
+    } else {
+      for (let a = 0; a < nu; a++)
+        for (let b = 0; b < nv; b++)
+          faces.push(at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b), at(a + 1, b + 1), at(a, b + 1));
+      for (let a = 0; a <= nu; a += 4) line(a % nu ? wires : rim, range(nv).map((b) => at(a, b)));
+      for (let b = 0; b <= nv; b += 4) line(b % nv ? wires : rim, range(nu).map((a) => at(a, b)));
+    }
+    return { faces: new Uint16Array(faces), wires, rim };
+  }
+
+  function normals(points, faces) {
+    const sum = new Float32Array(points.length);
+    for (let f = 0; f < faces.length; f += 3) {
+      const [a, b, c] = [faces[f] * 3, faces[f + 1] * 3, faces[f + 2] * 3];
+      const e = [0, 1, 2].map((k) => points[b + k] - points[a + k]);
+      const g = [0, 1, 2].map((k) => points[c + k] - points[a + k]);
+      const n = [e[1] * g[2] - e[2] * g[1], e[2] * g[0] - e[0] * g[2], e[0] * g[1] - e[1] * g[0]];
+      for (const v of [a, b, c]) for (let k = 0; k < 3; k++) sum[v + k] += n[k];
+    }
+    for (let v = 0; v < sum.length; v += 3) {
+      const length = Math.hypot(sum[v], sum[v + 1], sum[v + 2]) || 1;
+      for (let k = 0; k < 3; k++) sum[v + k] /= length;
+    }
+    return sum;
+  }
+
+  // ---- buffers and programs ------------------------------------------------------------------------------------------
+  function buffer(array, target = gl.ARRAY_BUFFER) {
+    const id = gl.createBuffer();
+    gl.bindBuffer(target, id);
+    gl.bufferData(target, array, gl.STATIC_DRAW);
+    return id;
+  }
+
+  // Segments as ribbons of constant width on the screen: both ends, which end, which side.
+  function ribbons(points, pairs) {
+    const vertices = [], index = [];
+    for (let s = 0; s < pairs.length; s += 2) {
+      const [p, q] = [pairs[s], pairs[s + 1]].map((k) => [points[3 * k], points[3 * k + 1], points[3 * k + 2]]);
+      const first = vertices.length / 8;
+      for (const [end, side] of [[0, -1], [0, 1], [1, -1], [1, 1]]) vertices.push(...p, ...q, end, side);
+      index.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
+    }
+    return {
+      vertices: buffer(new Float32Array(vertices)),
+      index: buffer(new Uint16Array(index), gl.ELEMENT_ARRAY_BUFFER),
+      count: index.length,
+    };
+  }
+
+  function program(vertex, fragment) {
+    const id = gl.createProgram();
+    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(id, shader);
+    }
+    gl.linkProgram(id);
+    if (!gl.getProgramParameter(id, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(id));
+    const uniform = {}, attribute = {};
+    for (let k = 0; k < gl.getProgramParameter(id, gl.ACTIVE_UNIFORMS); k++) {
+      const name = gl.getActiveUniform(id, k).name;
+      uniform[name] = gl.getUniformLocation(id, name);
+    }
+    for (let k = 0; k < gl.getProgramParameter(id, gl.ACTIVE_ATTRIBUTES); k++) {
+      const name = gl.getActiveAttrib(id, k).name;
+      attribute[name] = gl.getAttribLocation(id, name);
+    }
+    return { id, uniform, attribute };
+  }
+
+  const skin = program(
+    `attribute vec3 point, normal; attribute float value; uniform mat4 matrix; uniform mat3 turn;
+     varying vec3 n; varying float t;
+     void main() { n = turn * normal; t = value; gl_Position = matrix * vec4(point, 1.0); }`,
+    `precision highp float; varying vec3 n; varying float t;
+     uniform sampler2D scale; uniform vec3 none; uniform float low; uniform bool plain; uniform vec3 paint;
+     void main() {
+       float x = (clamp(t, low, 1.0) - low) / (1.0 - low);
+       vec3 c = plain ? paint : t > 1e6 ? none : texture2D(scale, vec2((x * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+       vec3 m = normalize(n); if (m.z < 0.0) m = -m;
+       float light = 0.66 + 0.30 * max(dot(m, normalize(vec3(-0.35, 0.55, 0.9))), 0.0)
+                          + 0.10 * max(dot(m, normalize(vec3(0.8, -0.3, 0.5))), 0.0);
+       float shine = 0.10 * pow(max(dot(m, normalize(vec3(-0.18, 0.30, 0.95))), 0.0), 40.0);
+       gl_FragColor = vec4(c * light + shine, 1.0);
+     }`);
+  const ink = program(
+    `attribute vec3 from, to; attribute vec2 corner; uniform mat4 matrix; uniform vec2 size; uniform float width;
+     void main() {
+       vec4 p = matrix * vec4(from, 1.0), q = matrix * vec4(to, 1.0);
+       vec2 along = (q.xy / q.w - p.xy / p.w) * size;
+       float length = max(sqrt(dot(along, along)), 1e-6);
+       vec2 across = vec2(-along.y, along.x) / length * width / size;
+       vec4 here = corner.x < 0.5 ? p : q;
+       gl_Position = here + vec4(across * corner.y * here.w, -0.0016 * here.w, 0.0);
+     }`,
+    `precision mediump float; uniform vec4 colour; void main() { gl_FragColor = vec4(colour.rgb * colour.a, colour.a); }`);
+  const dots = program(
+    `attribute vec3 point; attribute float edge; uniform mat4 matrix; uniform float width; varying float e;
+     void main() { e = edge; gl_Position = matrix * vec4(point, 1.0); gl_Position.z -= 0.002 * gl_Position.w;
+       gl_PointSize = width; }`,
+    `precision mediump float; varying float e; uniform vec4 colour; uniform vec3 inside;
+     void main() {
+       float r = 2.0 * length(gl_PointCoord - 0.5);
+       if (r > 1.0) discard;
+       vec3 c = e > 0.5 || r > 0.68 ? colour.rgb : inside;
+       gl_FragColor = vec4(c * colour.a, colour.a);
+     }`);
+
+  const surfaces = data.surfaces.map((surface) => {
+    const points = floats(surface.points), { faces, wires, rim } = grid(surface);
+    const net = floats(surface.net.points), edges = new Uint16Array(bytes(surface.net.edges).buffer);
+    return {
+      ...surface,
+      points,
+      netXyz: net,
+      vertices: buffer(points),
+      normals: buffer(normals(points, faces)),
+      index: buffer(faces, gl.ELEMENT_ARRAY_BUFFER),
+      count: faces.length,
+      fields: surface.values.map((text) =>
+        buffer(floats(text).map((x) => (Number.isNaN(x) ? NONE : Math.max(-1e5, Math.min(1e5, x)))))),
+      wires: ribbons(points, wires),
+      rim: ribbons(points, rim),
+      edges: ribbons(net, edges),
+      netPoints: buffer(net),
+      netEdge: buffer(Float32Array.from(surface.net.boundary)),
+      netCount: net.length / 3,
+    };
+  });
+
+  const scales = data.scales.map((text) => {
+    const colours = bytes(text), id = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, id);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, colours);
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
+    for (const use of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, use, gl.LINEAR);
+    return { id, colours };
+  });
+
+  // ---- camera: turns about the z axis and about the horizon ------------------------------------------------------------
+  // Nets much larger than their surface would dwarf it: they are drawn only when asked for.
+  if (data.surfaces.some((surface) => surface.net.large)) $("net").checked = false;
+  const state = { surface: 0, field: data.fields.length ? 0 : -1, net: $("net").checked, wires: $("wires").checked };
+  const HOME = { turn: -1.02, tilt: 0.52 };
+  const camera = {};
+
+  function axes() {
+    const [ca, sa, ce, se] = [Math.cos(camera.turn), Math.sin(camera.turn), Math.cos(camera.tilt), Math.sin(camera.tilt)];
+    return { right: [-sa, ca, 0], up: [-se * ca, -se * sa, ce], back: [ce * ca, ce * sa, se] };
+  }
+
+  // The first view: all surfaces, with their nets if shown, fill the canvas.
+  function home() {
+    Object.assign(camera, HOME);
+    const { right, up, back } = axes(), aspect = canvas.clientWidth / canvas.clientHeight || 1;
+    const dot = (a, p, k) => a[0] * p[k] + a[1] * p[k + 1] + a[2] * p[k + 2];
+    let [low, high] = [[9, 9], [-9, -9]];
+    const shown = surfaces.flatMap((surface) => (state.net ? [surface.points, surface.netXyz] : [surface.points]));
+    const each = (act) => shown.forEach((p) => { for (let k = 0; k < p.length; k += 3) act(p, k); });
+    each((p, k) => {
+      const at = [dot(right, p, k), dot(up, p, k)];
+      low = at.map((x, i) => Math.min(x, low[i]));
+      high = at.map((x, i) => Math.max(x, high[i]));
+    });
+    const middle = [0, 1].map((i) => (low[i] + high[i]) / 2);
+    camera.pan = middle.map((x) => -x);
+    camera.distance = 0.6;
+    each((p, k) => {
+      const reach = Math.max(Math.abs(dot(right, p, k) - middle[0]) / aspect, Math.abs(dot(up, p, k) - middle[1]));
+      camera.distance = Math.max(camera.distance, dot(back, p, k) + 1.14 * reach * FOCAL);
+    });
+  }
+
+  function matrices() {
+    const { right, up, back } = axes(), aspect = canvas.width / canvas.height, [px, py] = camera.pan;
+    const d = camera.distance, [near, far] = [Math.max(0.05 * d, d - 12), d + 12];
+    const view = [
+      right[0], up[0], back[0], 0, right[1], up[1], back[1], 0, right[2], up[2], back[2], 0, px, py, -d, 1];
+    const [fx, fy, z, w] = [FOCAL / aspect, FOCAL, (far + near) / (near - far), (2 * far * near) / (near - far)];
+    const matrix = new Float32Array(16);
+    for (let c = 0; c < 4; c++) {
+      matrix[4 * c] = fx * view[4 * c];
+      matrix[4 * c + 1] = fy * view[4 * c + 1];
+      matrix[4 * c + 2] = z * view[4 * c + 2] + w * view[4 * c + 3];
+      matrix[4 * c + 3] = -view[4 * c + 2];
+    }
+    return { matrix, turn: new Float32Array([...view.slice(0, 3), ...view.slice(4, 7), ...view.slice(8, 11)]) };
+  }
+
+  // ---- drawing -----------------------------------------------------------------------------------------------------------
+  function bind(id, location, size, stride = 0, offset = 0) {
+    gl.bindBuffer(gl.ARRAY_BUFFER, id);
+    gl.enableVertexAttribArray(location);
+    gl.vertexAttribPointer(location, size, gl.FLOAT, false, stride, offset);
+  }
+
+  function lines(ribbon, width, colour, matrix) {
+    if (!ribbon.count) return;
+    gl.useProgram(ink.id);
+    gl.uniformMatrix4fv(ink.uniform.matrix, false, matrix);
+    gl.uniform2f(ink.uniform.size, canvas.width, canvas.height);
+    gl.uniform1f(ink.uniform.width, width);
+    gl.uniform4fv(ink.uniform.colour, colour);
+    bind(ribbon.vertices, ink.attribute.from, 3, 32, 0);
+    bind(ribbon.vertices, ink.attribute.to, 3, 32, 12);
+    bind(ribbon.vertices, ink.attribute.corner, 2, 32, 24);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, ribbon.index);
+    gl.drawElements(gl.TRIANGLES, ribbon.count, gl.UNSIGNED_SHORT, 0);
+  }
+
+  function points(surface, size, colour, inside, matrix) {
+    gl.useProgram(dots.id);
+    gl.uniformMatrix4fv(dots.uniform.matrix, false, matrix);
+    gl.uniform1f(dots.uniform.width, size);
+    gl.uniform4fv(dots.uniform.colour, colour);
+    gl.uniform3fv(dots.uniform.inside, inside);
+    bind(surface.netPoints, dots.attribute.point, 3);
+    bind(surface.netEdge, dots.attribute.edge, 1);
+    gl.drawArrays(gl.POINTS, 0, surface.netCount);
+  }
+
+  function paint() {
+    const ratio = Math.min(devicePixelRatio || 1, 2.5);
+    const [w, h] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
+    if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
+    if (!w || !h) return;
+    const dark = isDark(), surface = surfaces[state.surface], { matrix, turn } = matrices();
+    const pen = dark ? [0.88, 0.91, 0.95] : [0.11, 0.15, 0.2];
+    gl.viewport(0, 0, w, h);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthFunc(gl.LEQUAL);
+
+    gl.useProgram(skin.id);
+    gl.uniformMatrix4fv(skin.uniform.matrix, false, matrix);
+    gl.uniformMatrix3fv(skin.uniform.turn, false, turn);
+    gl.uniform1i(skin.uniform.plain, state.field < 0 ? 1 : 0);
+    gl.uniform3f(skin.uniform.paint, 0.80, 0.84, 0.88);
+    gl.uniform3fv(skin.uniform.none, data.none.map((c) => c / 255));
+    if (state.field >= 0) {
+      const field = data.fields[state.field];
+      gl.bindTexture(gl.TEXTURE_2D, scales[field.signed ? 0 : 1].id);
+      gl.uniform1f(skin.uniform.low, field.signed ? -1 : 0);
+      bind(surface.fields[state.field], skin.attribute.value, 1);
+    } else {
+      gl.disableVertexAttribArray(skin.attribute.value);
+      gl.vertexAttrib1f(skin.attribute.value, 0);
+    }
+    bind(surface.vertices, skin.attribute.point, 3);
+    bind(surface.normals, skin.attribute.normal, 3);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, surface.index);
+    gl.drawElements(gl.TRIANGLES, surface.count, gl.UNSIGNED_SHORT, 0);
+
+    // Lines on the coloured surface are dark in either theme.
+    if (state.wires) lines(surface.wires, 0.9 * ratio, [0.08, 0.12, 0.18, 0.34], matrix);
+    lines(surface.rim, 1.5 * ratio, dark ? [0.8, 0.84, 0.9, 0.9] : [...pen, 0.85], matrix);
+    if (state.net && surface.netCount) {
+      const crowded = surface.netCount > 100;
+      const [width, size] = crowded ? [0.8, 4] : [1.4, 9];
+      const inside = dark ? [0.11, 0.13, 0.16] : [1, 1, 1];
+      // What the surface hides stays faintly visible.
+      gl.disable(gl.DEPTH_TEST);
+      lines(surface.edges, width * ratio, [...pen, 0.2], matrix);
+      gl.enable(gl.DEPTH_TEST);
+      lines(surface.edges, width * ratio, [...pen, 0.8], matrix);
+      gl.disable(gl.DEPTH_TEST);
+      points(surface, size * ratio, [...pen, 1], inside, matrix);
+    }
+  }
+
+  let waiting = false;
+  draw = () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      paint();
+    });
+  };
+
+  // ---- choices ---------------------------------------------------------------------------------------------------------------
+  const written = (x) => {
+    if (x === 0) return "0";
+    const text = Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5 ? x.toExponential(2) : String(+x.toPrecision(3));
+    return text.replace(/-/g, "−");
+  };
+
+  function legend() {
+    const field = data.fields[state.field];
+    $("legend").hidden = !field;
+    if (!field) return;
+    const { colours } = scales[field.signed ? 0 : 1];
+    const stops = Array.from({ length: 33 }, (_, k) => {
+      const at = 3 * Math.min(255, k * 8);
+      return `rgb(${colours[at]},${colours[at + 1]},${colours[at + 2]}) ${(k * 100) / 32}%`;
+    });
+    $("bar").style.background = `linear-gradient(to right, ${stops.join(",")})`;
+    const more = field.largest > field.full * 1.000001;
+    const [low, high] = [field.signed ? -field.full : 0, field.full];
+    $("low").textContent = (more && field.signed ? "≤ " : "") + written(low);
+    $("middle").textContent = field.signed ? "0" : written(high / 2);
+    $("high").textContent = (more ? "≥ " : "") + written(high);
+    $("quantity").textContent = `${field.name} ${field.symbol}` + (field.unit ? ` in ${field.unit}` : "");
+  }
+
+  function choose(index) {
+    state.surface = index;
+    const surface = surfaces[index];
+    $("caption").textContent = `${surface.name}: ${surface.caption}`;
+    canvas.setAttribute("aria-label", `${surface.name}. ${$("help").textContent}`);
+    draw();
+  }
+
+  const methods = $("methods");
+  if (surfaces.length > 8) {
+    methods.insertAdjacentHTML("beforeend",
+      '<div class="frames"><button type="button" id="play" aria-pressed="false">Play</button>' +
+      '<input type="range" id="frame" min="0" value="0" aria-label="Surface"></div>');
+    const slider = $("frame");
+    slider.max = surfaces.length - 1;
+    const set = (k) => {
+      slider.value = k;
+      slider.setAttribute("aria-valuetext", surfaces[k].name);
+      choose(k);
+    };
+    slider.addEventListener("input", () => set(+slider.value));
+    let timer = 0;
+    $("play").addEventListener("click", () => {
+      const playing = !timer;
+      if (timer) clearInterval(timer);
+      timer = playing ? setInterval(() => set((+slider.value + 1) % surfaces.length), 350) : 0;
+      $("play").textContent = playing ? "Pause" : "Play";
+      $("play").setAttribute("aria-pressed", String(playing));
+    });
+  } else {
+    surfaces.forEach((surface, k) => methods.append(chip("method", k, surface.name, k === 0, () => choose(k))));
+  }
+
+  function chip(group, value, text, checked, act) {
+    const label = document.createElement("label"), input = document.createElement("input");
+    Object.assign(input, { type: "radio", name: group, value, checked });
+    input.addEventListener("change", act);
+    const span = document.createElement("span");
+    span.textContent = text;
+    label.className = "chip";
+    label.append(input, span);
+    return label;
+  }
+
+  const colourings = [...data.fields.map((field, k) => [field.label, k]), ["plain", -1]];
+  for (const [text, k] of colourings)
+    $("fields").append(chip("field", k, text, k === state.field, () => {
+      state.field = k;
+      legend();
+      draw();
+    }));
+  for (const name of ["net", "wires"])
+    $(name).addEventListener("change", () => {
+      state[name] = $(name).checked;
+      draw();
+    });
+
+  // ---- pointer, wheel, keyboard -----------------------------------------------------------------------------------------------
+  const reset = () => {
+    home();
+    draw();
+  };
+  const rotate = (x, y) => {
+    camera.turn -= x;
+    camera.tilt = Math.max(-1.57, Math.min(1.57, camera.tilt + y));
+    draw();
+  };
+  const zoom = (factor) => {
+    camera.distance = Math.max(0.6, Math.min(60, camera.distance * factor));
+    draw();
+  };
+  const pan = (x, y) => {
+    const step = (camera.distance * 0.52) / canvas.clientHeight;
+    camera.pan = [camera.pan[0] + x * step, camera.pan[1] - y * step];
+    draw();
+  };
+  const fingers = new Map();
+  const spread = () => {
+    const [p, q] = [...fingers.values()];
+    return Math.hypot(p[0] - q[0], p[1] - q[1]);
+  };
+  canvas.addEventListener("pointerdown", (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    fingers.set(event.pointerId, [event.clientX, event.clientY]);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    const last = fingers.get(event.pointerId);
+    if (!last) return;
+    const before = fingers.size === 2 ? spread() : 0;
+    fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    const [x, y] = [event.clientX - last[0], event.clientY - last[1]];
+    if (fingers.size === 2) {
+      zoom(before / Math.max(spread(), 1));
+      pan(x / 2, y / 2);
+    } else if (event.shiftKey || event.buttons & 6) pan(x, y);
+    else rotate(x * 0.008, y * 0.008);
+  });
+  for (const end of ["pointerup", "pointercancel"])
+    canvas.addEventListener(end, (event) => fingers.delete(event.pointerId));
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  canvas.addEventListener("dblclick", reset);
+  canvas.addEventListener("wheel", (event) => {
+    // The page scrolls past the canvas unless someone works in it.
+    if (!event.ctrlKey && document.activeElement !== canvas) return;
+    event.preventDefault();
+    zoom(Math.exp(event.deltaY * (event.ctrlKey ? 0.01 : 0.0012)));
+  }, { passive: false });
+  const keys = {
+    ArrowLeft: () => rotate(-0.1, 0), ArrowRight: () => rotate(0.1, 0),
+    ArrowUp: () => rotate(0, -0.1), ArrowDown: () => rotate(0, 0.1),
+    "+": () => zoom(0.9), "=": () => zoom(0.9), "-": () => zoom(1 / 0.9), "0": reset, Home: reset,
+  };
+  canvas.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
+    event.preventDefault();
+    keys[event.key]();
+  });
+  $("reset").addEventListener("click", reset);
+  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextrestored", () => location.reload());
+  new ResizeObserver(() => draw()).observe(canvas);
+
+  home();
+  choose(0);
+  legend();
+})();
