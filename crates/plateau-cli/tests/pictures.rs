@@ -16,7 +16,7 @@ impl Files {
         let plan = Plan::parse(file, text).unwrap_or_else(|refusal| panic!("{refusal}"));
         let finished = run(&plan, Options::default(), &()).unwrap();
         let out = tempfile::tempdir().unwrap();
-        let folder = deliver(&plan, &finished, out.path()).unwrap();
+        let folder = deliver(&plan, &finished, out.path()).unwrap().folder;
         Self(out, folder)
     }
 

@@ -66,7 +66,10 @@ fn a_helicoid_in_one_piece() {
     let (status, stdout, stderr, record) = run(folder.path(), HELICOID);
     assert_eq!((status, stderr.as_str()), (0, ""), "{stdout}");
     assert!(stdout.contains("deviation") && stdout.contains("expected numbers: 1 of 1 met"), "{stdout}");
-    assert_eq!(files(folder.path()), ["helicoid.glb", "helicoid.obj", "result.json"]);
+    assert_eq!(
+        files(folder.path()),
+        ["helicoid.glb", "helicoid.obj", "report.html", "result.json", "surfaces.svg"]
+    );
     let record = record.unwrap();
     let [method] = record["methods"].as_array().unwrap().as_slice() else { panic!("{record}") };
     assert_eq!(numbers(&method["weights"]), [1.0, 2.0]);
@@ -148,7 +151,7 @@ fn a_curve_is_sampled() {
     assert_eq!(status, 0, "{stdout}");
     assert!(stdout.contains("largest |κ|") && stdout.contains("GT, degree 3, θ = (1, 2)"), "{stdout}");
     assert!(stdout.contains("note: a curve has no mesh: nothing is written as glb"), "{stdout}");
-    assert_eq!(files(folder.path()), ["curve.csv", "result.json"]);
+    assert_eq!(files(folder.path()), ["curvature.svg", "curve.csv", "report.html", "result.json"]);
     let curve = &record.unwrap()["curve"];
     assert_eq!(numbers(&curve["t"]), [0.0, 0.25, 1.0]);
     for (key, width) in [("basis", 4), ("basis_d1", 4), ("basis_d2", 4), ("point", 2), ("d1", 2), ("d2", 2)] {

@@ -198,7 +198,6 @@
   // Nets much larger than their surface would dwarf it: they are drawn only when asked for.
   if (data.surfaces.some((surface) => surface.net.large)) $("net").checked = false;
   const state = { surface: 0, field: data.fields.length ? 0 : -1, net: $("net").checked, wires: $("wires").checked };
-  const HOME = { turn: -1.02, tilt: 0.52 };
   const camera = {};
 
   function axes() {
@@ -208,7 +207,7 @@
 
   // The first view: all surfaces, with their nets if shown, fill the canvas.
   function home() {
-    Object.assign(camera, HOME);
+    Object.assign(camera, data.home);
     const { right, up, back } = axes(), aspect = canvas.clientWidth / canvas.clientHeight || 1;
     const dot = (a, p, k) => a[0] * p[k] + a[1] * p[k + 1] + a[2] * p[k + 2];
     let [low, high] = [[9, 9], [-9, -9]];

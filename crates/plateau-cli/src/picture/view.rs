@@ -67,7 +67,7 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     Some(Picture { name: "surfaces", caption, svg: svg.finish() })
 }
 
-/// A parallel projection from the front, the left and above.
+/// A parallel projection.
 pub(super) struct Camera {
     right: Point,
     up: Point,
@@ -79,16 +79,8 @@ pub(super) struct Camera {
 impl Camera {
     /// The camera in which all surfaces, and with `nets` their nets as far as they are drawn, fill a panel.
     pub(super) fn fitting(scene: &Scene<'_>, shown: &[&Shown<'_>], nets: bool, panel: [f64; 2]) -> Self {
-        let (azimuth, elevation) = (-1.02_f64, 0.52_f64);
-        let (sa, ca) = (libm::sin(azimuth), libm::cos(azimuth));
-        let (se, ce) = (libm::sin(elevation), libm::cos(elevation));
-        let mut camera = Self {
-            right: Point::new(-sa, ca, 0.0),
-            up: Point::new(-se * ca, -se * sa, ce),
-            towards: Point::new(ce * ca, ce * sa, se),
-            scale: 1.0,
-            middle: [0.0; 2],
-        };
+        let [right, up, towards] = scene.direction.axes();
+        let mut camera = Self { right, up, towards, scale: 1.0, middle: [0.0; 2] };
         let nets = shown.iter().filter(|s| nets && s.net_size() <= LARGEST_NET).flat_map(|s| &s.net.points);
         let [low, high] = camera.extent(scene, shown.iter().flat_map(|s| &s.sample.points).chain(nets));
         camera.middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];

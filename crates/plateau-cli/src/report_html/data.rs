@@ -42,6 +42,7 @@ fn scene_value(scene: &Scene<'_>) -> Value {
         "fields": described,
         "scales": [scale(&|t| colour::diverging(2.0 * t - 1.0)), scale(&colour::sequential)],
         "none": colour::NONE,
+        "home": { "turn": scene.direction.azimuth, "tilt": scene.direction.elevation },
         "surfaces": scene.surfaces.iter().map(|shown| surface(scene, shown, &fields)).collect::<Vec<_>>(),
     })
 }

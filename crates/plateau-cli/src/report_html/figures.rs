@@ -25,8 +25,8 @@ const COLUMNS: [Column; 11] = [
     ("max |H|", "1/length", |m| m.figure(Quantity::MeanCurvatureMax).map(|h| digits(h, 5))),
     ("rms H", "1/length", |m| m.figure(Quantity::MeanCurvatureRms).map(|h| digits(h, 5))),
     ("∫‖ΔS‖²", "length²", |m| m.figure(Quantity::LaplacianDefect).map(|x| digits(x, 6))),
-    ("boundary moved", "length", |m| m.figure(Quantity::BoundaryDeviation).map(moved)),
-    ("off closed form", "length", |m| m.figure(Quantity::Deviation).map(|x| digits(x, 2))),
+    ("boundary", "moved by", |m| m.figure(Quantity::BoundaryDeviation).map(moved)),
+    ("closed form", "off by", |m| m.figure(Quantity::Deviation).map(|x| digits(x, 2))),
     ("shape", "α1 α2 β1 β2", shape),
 ];
 

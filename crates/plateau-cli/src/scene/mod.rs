@@ -1,11 +1,13 @@
 //! The surfaces of an experiment as pictures and the report show them: sampled once, in one frame, on one scale.
 
+mod camera;
 mod control_net;
 mod field;
 mod sample;
 
 use surfaces::Point;
 
+pub(crate) use camera::Direction;
 pub(crate) use control_net::ControlNet;
 pub(crate) use field::Field;
 pub(crate) use sample::Sample;
@@ -38,6 +40,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) centre: Point,
     /// Half the diagonal of that box; positive.
     pub(crate) radius: f64,
+    /// Whence the surfaces are seen.
+    pub(crate) direction: Direction,
 }
 
 /// One surface.
@@ -100,6 +104,7 @@ impl<'a> Scene<'a> {
         let diagonal = low.distance(high);
         Some(Self {
             left_out: done.len() - surfaces.len(),
+            direction: Direction::showing(surfaces.iter().map(|shown| &shown.sample)),
             surfaces,
             centre: (low + high) * 0.5,
             radius: if diagonal > 0.0 { 0.5 * diagonal } else { 1.0 },
