@@ -40,6 +40,7 @@ fn validate(root: &Value, schema: &Value, value: &Value, path: &str) -> Result<(
                     "string" => value.is_string(),
                     "number" => value.is_number(),
                     "integer" => value.is_i64() || value.is_u64(),
+                    "boolean" => value.is_boolean(),
                     other => panic!("unknown type {other}"),
                 };
                 if !fits {
