@@ -2,15 +2,13 @@
 
 use super::axis::number;
 use super::svg::{Anchor, Font, Svg};
-use super::view::{Camera, axes, surface};
+use super::view::{CORNERS, Camera, axes, surface};
 use super::{Picture, colour_bar};
 use crate::Finished;
 use crate::scene::{Field, Scene, Shown, spread};
 
 /// Most frames of a strip.
 const FRAMES: usize = 6;
-/// Faces of all frames together.
-const FACES: usize = 3600;
 /// Width and height of a frame.
 const CELL: [f64; 2] = [190.0, 220.0];
 /// Height of the title above it.
@@ -48,7 +46,7 @@ pub(super) fn picture(scene: &Scene<'_>, frames: &[&Shown<'_>]) -> Option<Pictur
             &camera,
             at,
             full.map(|full| (Field::Gauss, full)),
-            FACES / chosen.len(),
+            CORNERS / chosen.len(),
         );
     }
     axes(&mut svg, &camera, [30.0, CELL[1] + HEAD - 24.0]);

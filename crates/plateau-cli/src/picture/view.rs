@@ -9,8 +9,8 @@ use crate::scene::{Field, LARGEST_NET, Scene, Shown, spread};
 
 /// Most views in one picture.
 const PANELS: usize = 12;
-/// Faces of all surfaces of a picture together: bounds its size.
-const FACES: usize = 3600;
+/// Corners of the faces of all surfaces of a picture together: bounds its size.
+pub(super) const CORNERS: usize = 14_400;
 /// Width and height of one view.
 const CELL: [f64; 2] = [290.0, 290.0];
 /// Height of the title above it.
@@ -39,14 +39,14 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
         let mut caption = format!("area {} length²", digits(shown.done.figures.area.value, 7));
         let times = shown.net_size();
         if times > LARGEST_NET {
-            caption += &format!("; net {}× larger, not drawn", digits(times, 2));
+            caption += &format!("; net {}× larger", digits(times, 2));
         }
         svg.text([x + 16.0, y + 35.0], Anchor::Start, Font::SMALL, &caption);
         let clip = format!("view-{k}");
         svg.clip(&clip, [x, y + HEAD, x + CELL[0], y + HEAD + CELL[1]]);
         svg.open(format_args!(r#"clip-path="url(#{clip})""#));
         let at = [x + 0.5 * CELL[0], y + HEAD + 0.5 * CELL[1]];
-        surface(&mut svg, scene, shown, &camera, at, full.map(|full| (field, full)), FACES / chosen.len());
+        surface(&mut svg, scene, shown, &camera, at, full.map(|full| (field, full)), CORNERS / chosen.len());
         if times <= LARGEST_NET {
             control_net(&mut svg, scene, shown, &camera, at);
         }
@@ -62,8 +62,14 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     } else {
         String::new()
     };
-    let caption =
-        format!("The surfaces with their control nets, from one direction and on one scale{coloured}.");
+    let undrawn = if chosen.iter().any(|shown| shown.net_size() > LARGEST_NET) {
+        "; nets that would dwarf their surface are not drawn"
+    } else {
+        ""
+    };
+    let caption = format!(
+        "The surfaces with their control nets, from one direction and on one scale{coloured}{undrawn}."
+    );
     Some(Picture { name: "surfaces", caption, svg: svg.finish() })
 }
 
@@ -108,7 +114,7 @@ impl Camera {
     }
 }
 
-/// Draws the faces of a surface, the farthest first.
+/// Draws the faces of a surface, the farthest first; as fine as `most` corners of faces allow.
 pub(super) fn surface(
     svg: &mut Svg,
     scene: &Scene<'_>,
@@ -119,7 +125,10 @@ pub(super) fn surface(
     most: usize,
 ) {
     let sample = &shown.sample;
-    let stride = [1, 2, 4].into_iter().find(|&s| sample.faces(s).len() <= most).unwrap_or(4);
+    let stride = [1, 2, 4]
+        .into_iter()
+        .find(|&s| sample.faces(s).iter().map(Vec::len).sum::<usize>() <= most)
+        .unwrap_or(4);
     let light = (camera.towards + camera.up * 0.7 - camera.right * 0.5).unit().unwrap_or(camera.towards);
     let mut faces: Vec<(f64, String)> = sample
         .faces(stride)
