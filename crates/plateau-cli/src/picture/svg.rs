@@ -163,16 +163,25 @@ impl Display for Escaped<'_> {
 /// A closed or open path through points, relative to the tenth of a pixel: the shortest way to write it.
 pub(super) fn path(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> String {
     let mut d = String::new();
-    let mut last: Option<[i64; 2]> = None;
+    let tenths = |point: [i64; 2]| point.map(|x| Length(x as f64 / 10.0));
+    let (mut last, mut moved): (Option<[i64; 2]>, bool) = (None, false);
     for point in points {
         let here = point.map(|x| (x * 10.0).round() as i64);
-        let (letter, step) = match last {
-            None => ("M", here),
-            Some(last) => ("l", [here[0] - last[0], here[1] - last[1]]),
-        };
-        let [x, y] = step.map(|tenths| Length(tenths as f64 / 10.0));
-        if last.is_none() || step != [0, 0] {
-            let _ = write!(d, "{letter}{x} {y}");
+        match last {
+            None => {
+                let [x, y] = tenths(here);
+                let _ = write!(d, "M{x} {y}");
+            }
+            Some(last) if last != here => {
+                // One letter serves all steps, and a sign parts numbers as well as a space does.
+                d.push_str(if moved { " " } else { "l" });
+                moved = true;
+                let step = [here[0] - last[0], here[1] - last[1]];
+                let [x, y] = tenths(step);
+                let space = if step[1] < 0 { "" } else { " " };
+                let _ = write!(d, "{x}{space}{y}");
+            }
+            Some(_) => {}
         }
         last = Some(here);
     }
@@ -205,7 +214,8 @@ mod tests {
 
     #[test]
     fn paths_end_where_they_should() {
-        assert_eq!(path([[0.0, 0.0], [1.04, 0.0], [2.08, 0.0]], true), "M0 0l1 0l1.1 0z");
+        assert_eq!(path([[0.0, 0.0], [1.04, 0.0], [2.08, 0.0]], true), "M0 0l1 0 1.1 0z");
+        assert_eq!(path([[5.0, 5.0], [5.0, 5.01], [4.0, 3.0], [6.0, 7.0]], false), "M5 5l-1-2 2 4");
     }
 
     #[test]

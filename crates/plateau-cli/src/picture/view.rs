@@ -10,7 +10,7 @@ use crate::scene::{Field, LARGEST_NET, Scene, Shown, spread};
 /// Most views in one picture.
 const PANELS: usize = 12;
 /// Corners of the faces of all surfaces of a picture together: bounds its size.
-pub(super) const CORNERS: usize = 14_400;
+pub(super) const CORNERS: usize = 13_900;
 /// Width and height of one view.
 const CELL: [f64; 2] = [290.0, 290.0];
 /// Height of the title above it.

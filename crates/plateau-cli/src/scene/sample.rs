@@ -6,6 +6,9 @@ use crate::Surface;
 /// Subdivisions of a side where the budget allows.
 const FINE: usize = 48;
 
+/// Vertices of the square grid that the grid of a triangle is half of: 40 subdivisions of a side.
+const TRIANGLE: usize = 41 * 41;
+
 /// Fewest subdivisions of a side.
 const COARSE: usize = 12;
 
@@ -34,7 +37,7 @@ impl Sample {
         let steps = match surface {
             Surface::Pieces(pieces) => steps(pieces.shape(), budget),
             Surface::Tensor(_) => steps([1, 1], budget),
-            Surface::Triangle(_) => steps([1, 1], 2 * budget),
+            Surface::Triangle(_) => steps([1, 1], (2 * budget).min(TRIANGLE)),
         };
         let jets: Vec<Jet> = match domain {
             Domain::Rectangle { u, v } => patch.jets(&even(u, steps[0]), &even(v, steps[1])),
