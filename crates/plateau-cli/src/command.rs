@@ -46,6 +46,15 @@ pub(crate) enum Command {
     },
     /// Write the surfaces of a result.json as files for other programs
     Export(ExportArguments),
+    /// Print an experiment over a boundary from a file
+    Import {
+        /// A table with the columns side, x, y, z, or an OBJ file with lines
+        #[arg(value_name = "FILE")]
+        file: PathBuf,
+        /// The points are samples: fit curves of this degree to them. Without it they are control points
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
+        degree: Option<u16>,
+    },
     /// Print a commented experiment file to begin with
     New {
         /// The kind of experiment

@@ -1,4 +1,4 @@
-//! `export`: surfaces of a result as files for other programs.
+//! `export` and `import`: surfaces of a result as files for other programs, boundaries from theirs.
 
 use std::io::Write;
 use std::path::Path;
@@ -40,6 +40,17 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
         }
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// Prints an experiment over the boundary in a file.
+pub(crate) fn import(file: &Path, degree: Option<u16>, stdout: &mut impl Write) -> Result<(), Failure> {
+    match plateau::import(file, degree.map(usize::from)) {
+        Ok(experiment) => Ok(stdout.write_all(experiment.as_bytes())?),
+        Err(error) => {
+            say(&format!("error: {}: {error}", file.display()));
+            Err(Failure::Input)
+        }
+    }
 }
 
 fn chosen<'a>(stored: &'a StoredResult, name: Option<&str>) -> Result<Vec<&'a StoredMethod>, String> {

@@ -39,6 +39,7 @@ mod export;
 mod family;
 mod figures;
 mod helicoid;
+mod import;
 mod method;
 mod picture;
 mod plan;
@@ -63,6 +64,7 @@ pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use export::{DEFAULT_TOLERANCE, ExportError, SurfaceForm};
 pub use family::Family;
 pub use figures::Figures;
+pub use import::{ImportError, import};
 pub use method::{
     AreaExtremal, MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface, least_area,
     least_area_triangle,

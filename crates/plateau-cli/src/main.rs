@@ -34,6 +34,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Run(arguments) => batch::run(&arguments, stdout),
         Command::Check { files } => command::check(&files, stdout),
         Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
+        Command::Import { file, degree } => conversion::import(&file, degree, stdout),
         Command::Export(arguments) => conversion::export(&arguments, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
         Command::Completions { shell } => command::completions(shell, stdout),

@@ -101,7 +101,7 @@ pub(crate) fn write(
 }
 
 /// The diagonal of the least box around points.
-fn diagonal(points: impl Iterator<Item = [f64; 3]>) -> f64 {
+pub(crate) fn diagonal(points: impl Iterator<Item = [f64; 3]>) -> f64 {
     let [low, high] = extent(points);
     (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt()
 }

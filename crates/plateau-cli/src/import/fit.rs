@@ -1,0 +1,170 @@
+//! Bernstein curves nearest to samples.
+
+use bases::{Basis, Bernstein};
+use surfaces::Point;
+
+use super::{MAX_DEGREE, MOST_SAMPLES};
+
+/// Most corrections of the parameters of the samples.
+const CORRECTIONS: usize = 50;
+
+/// A Bernstein curve through the first and the last of some samples, as near to the others as least squares make it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Fit {
+    /// Its control points.
+    pub(super) points: Vec<Point>,
+    /// Number of samples.
+    pub(super) samples: usize,
+    /// Largest distance of a sample from the point of the curve it is paired with: an upper bound of its distance from the
+    /// curve.
+    pub(super) largest: f64,
+    /// Root of the mean square of these distances.
+    pub(super) root_mean_square: f64,
+}
+
+impl Fit {
+    /// Samples get parameters in proportion to the chords between them, which are then corrected, in turn with the curve, to
+    /// those of the nearest points; the best curve on the way is kept.
+    ///
+    /// # Errors
+    /// In words: too few or too many samples, samples that coincide.
+    pub(super) fn new(samples: &[Point], degree: usize) -> Result<Self, String> {
+        if !(1..=MAX_DEGREE).contains(&degree) {
+            return Err(format!("degree {degree} is not offered; 1 to {MAX_DEGREE} are"));
+        }
+        if samples.len() > MOST_SAMPLES {
+            return Err(format!("{} samples are too many; {MOST_SAMPLES} are the most", samples.len()));
+        }
+        if samples.len() <= degree {
+            return Err(format!(
+                "{} samples do not determine a curve of degree {degree}: give {} or more, or lower the degree",
+                samples.len(),
+                degree + 1
+            ));
+        }
+        let basis = Bernstein::new(degree).map_err(|error| error.to_string())?;
+        let mut parameters = chords(samples)?;
+        let mut best: Option<Self> = None;
+        for _ in 0..CORRECTIONS {
+            let points = nearest(samples, &parameters, &basis)?;
+            let fit = Self::measured(samples, &parameters, points, &basis);
+            // Progress below a thousandth is not worth another step.
+            if best.as_ref().is_some_and(|best| fit.root_mean_square > 0.999 * best.root_mean_square) {
+                break;
+            }
+            correct(samples, &mut parameters, &fit.points, &basis);
+            best = Some(fit);
+        }
+        best.ok_or_else(|| "no curve was found".to_owned())
+    }
+
+    fn measured(samples: &[Point], parameters: &[f64], points: Vec<Point>, basis: &Bernstein) -> Self {
+        let distances = samples.iter().zip(parameters).map(|(p, &t)| jet(&points, basis, t)[0].distance(*p));
+        let (largest, squares) =
+            distances.fold((0.0, 0.0), |(largest, squares), d| (f64::max(largest, d), squares + d * d));
+        let root_mean_square = (squares / samples.len() as f64).sqrt();
+        Self { points, samples: samples.len(), largest, root_mean_square }
+    }
+}
+
+/// Parameters in proportion to the chords, from 0 to 1.
+fn chords(samples: &[Point]) -> Result<Vec<f64>, String> {
+    let mut length = 0.0;
+    let mut lengths = vec![0.0];
+    for (k, pair) in samples.windows(2).enumerate() {
+        let chord = pair[0].distance(pair[1]);
+        if chord == 0.0 {
+            return Err(format!("samples {k} and {} are the same point: leave one out", k + 1));
+        }
+        length += chord;
+        lengths.push(length);
+    }
+    Ok(lengths.into_iter().map(|part| part / length).collect())
+}
+
+/// The control points with the least sum of squares, the ends given: `min ‖B_i p − (s − B_0 s_0 − B_n s_k)‖` over the
+/// samples between the ends.
+fn nearest(samples: &[Point], parameters: &[f64], basis: &Bernstein) -> Result<Vec<Point>, String> {
+    let (n, last) = (basis.degree(), samples.len() - 1);
+    let (start, end) = (samples[0], samples[last]);
+    let (mut matrix, mut rhs) = (Vec::new(), Vec::new());
+    for k in 1..last {
+        let table = basis.evaluate(parameters[k], 0);
+        let values = table.row(0);
+        matrix.extend_from_slice(&values[1..n]);
+        rhs.extend(<[f64; 3]>::from(samples[k] - start * values[0] - end * values[n]));
+    }
+    let solution =
+        solve::solve_rank(last - 1, n - 1, &matrix, 3, &rhs, 0.0).map_err(|error| error.to_string())?;
+    if solution.nullity > 0 {
+        return Err(format!(
+            "the samples leave {} control points undetermined: lower the degree or spread the samples",
+            solution.nullity
+        ));
+    }
+    let interior = solution.x.chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2]));
+    Ok(std::iter::once(start).chain(interior).chain([end]).collect())
+}
+
+/// A Newton step of every inner parameter towards the nearest point of the curve, if all stay in order.
+fn correct(samples: &[Point], parameters: &mut [f64], points: &[Point], basis: &Bernstein) {
+    let last = samples.len() - 1;
+    let mut corrected = parameters.to_vec();
+    for k in 1..last {
+        let [c, d1, d2] = jet(points, basis, parameters[k]);
+        let off = c - samples[k];
+        let curvature = d1.dot(d1) + off.dot(d2);
+        if curvature > 0.0 {
+            corrected[k] -= off.dot(d1) / curvature;
+        }
+    }
+    if corrected.windows(2).all(|pair| pair[0] < pair[1]) {
+        parameters.copy_from_slice(&corrected);
+    }
+}
+
+/// Point, first and second derivative.
+fn jet(points: &[Point], basis: &Bernstein, t: f64) -> [Point; 3] {
+    let table = basis.evaluate(t, 2);
+    [0, 1, 2].map(|r| points.iter().zip(table.row(r)).fold(Point::ZERO, |sum, (&p, &f)| sum + p * f))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(points: &[Point], parameters: impl Iterator<Item = f64>) -> Vec<Point> {
+        let basis = Bernstein::new(points.len() - 1).unwrap();
+        parameters.map(|t| jet(points, &basis, t)[0]).collect()
+    }
+
+    #[test]
+    fn samples_of_a_curve_of_the_degree_are_met() {
+        let points = [[0., 0., 0.], [1., 2., 0.], [3., 1., 1.], [4., 0., 0.]].map(Point::from);
+        let samples = curve(&points, (0..=40).map(|k| f64::from(k) / 40.0));
+        let fit = Fit::new(&samples, 3).unwrap();
+        assert!(fit.largest < 1e-3, "{}", fit.largest);
+        assert_eq!((fit.points[0], fit.points[3]), (samples[0], samples[40]));
+        let straight =
+            Fit::new(&curve(&[points[0], points[3]], (0..=7).map(|k| f64::from(k) / 7.0)), 4).unwrap();
+        assert!(straight.largest < 1e-14);
+    }
+
+    #[test]
+    fn higher_degrees_come_nearer() {
+        let samples: Vec<Point> = (0..=60)
+            .map(|k| f64::from(k) / 20.0)
+            .map(|t| Point::new(libm::cos(t), libm::sin(t), libm::exp(0.3 * t)))
+            .collect();
+        let errors: Vec<f64> = [2, 4, 6, 8].iter().map(|&n| Fit::new(&samples, n).unwrap().largest).collect();
+        assert!(errors.windows(2).all(|pair| pair[1] < 0.2 * pair[0]), "{errors:?}");
+    }
+
+    #[test]
+    fn what_determines_no_curve_is_told() {
+        let p = |x: f64| Point::new(x, 0.0, 0.0);
+        assert!(Fit::new(&[p(0.0), p(1.0), p(2.0)], 3).unwrap_err().contains("give 4 or more"));
+        assert!(Fit::new(&[p(0.0), p(1.0), p(1.0), p(2.0)], 2).unwrap_err().contains("samples 1 and 2"));
+        assert!(Fit::new(&[p(0.0); 5], 2).is_err() && Fit::new(&[p(0.0), p(1.0)], 0).is_err());
+    }
+}
