@@ -3,7 +3,7 @@
     python check.py DIR...      every .obj .ply .stl .vtu .step file in folders written by `plateau run`
 
 Meshes are compared with their OBJ file; STEP faces with the net of result.json where that is a Bernstein patch, and with
-the mesh (points on the patch, from the OBJ file) otherwise. Prints one line a file; exit status 1 if one is not as it should be.
+the mesh (points on the patch, from the OBJ file) otherwise; OpenCASCADE checks their topology, gmsh measures their area, too. Prints one line a file; exit status 1 if one is not as it should be.
 """
 
 import json
@@ -12,14 +12,13 @@ import re
 import sys
 from pathlib import Path
 
+import gmsh
 import meshio
 import numpy as np
 import trimesh
 from OCP.BRep import BRep_Tool
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepGProp import BRepGProp
-from OCP.BRepMesh import BRepMesh_IncrementalMesh
-from OCP.Geom import Geom_BSplineSurface
 from OCP.GProp import GProp_GProps
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.STEPControl import STEPControl_Reader
@@ -137,12 +136,16 @@ def check_step(path, mesh, method):
     properties = GProp_GProps()
     BRepGProp.SurfaceProperties_s(faces[0], properties, 1e-9)
     area, expected = properties.Mass(), method.get("area")
-    BRepMesh_IncrementalMesh(faces[0], 0.01 * size(points))
+    gmsh.clear()
+    gmsh.model.occ.importShapes(str(path))
+    gmsh.model.occ.synchronize()
+    in_gmsh = [gmsh.model.occ.getMass(dimension, tag) for dimension, tag in gmsh.model.getEntities(2)]
     note = (
         f"degree ({surface.UDegree()}, {surface.VDegree()}), {surface.NbUPoles()} x {surface.NbVPoles()} control points, "
-        f"deviation {worst:.2e} of {limit:.2e} admitted, area {area:.10g} of {expected:.10g}"
+        f"deviation {worst:.2e} of {limit:.2e} admitted, area {area:.10g}, in gmsh {sum(in_gmsh):.10g}, ours {expected:.10g}"
     )
-    return worst <= limit and abs(area - expected) <= 1e-5 * expected, note
+    areas = len(in_gmsh) == 1 and all(abs(a - expected) <= 1e-5 * expected for a in (area, in_gmsh[0]))
+    return worst <= limit and areas, note
 
 
 def file_name(name):
@@ -150,6 +153,8 @@ def file_name(name):
 
 
 def main(folders):
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
     sound = True
     for folder in map(Path, folders):
         methods = {file_name(m["name"]): m for m in json.loads((folder / "result.json").read_text())["methods"]}

@@ -23,8 +23,8 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// Samples get parameters in proportion to the chords between them, which are then corrected, in turn with the curve, to
-    /// those of the nearest points; the best curve on the way is kept.
+    /// Samples get parameters in proportion to the chords between them, and in a second attempt equal steps, which are then
+    /// corrected, in turn with the curve, towards those of the nearest points; the best curve on the way is kept.
     ///
     /// # Errors
     /// In words: too few or too many samples, samples that coincide.
@@ -43,17 +43,24 @@ impl Fit {
             ));
         }
         let basis = Bernstein::new(degree).map_err(|error| error.to_string())?;
-        let mut parameters = chords(samples)?;
+        let last = (samples.len() - 1) as f64;
+        let equal = (0..samples.len()).map(|k| k as f64 / last).collect();
         let mut best: Option<Self> = None;
-        for _ in 0..CORRECTIONS {
-            let points = nearest(samples, &parameters, &basis)?;
-            let fit = Self::measured(samples, &parameters, points, &basis);
-            // Progress below a thousandth is not worth another step.
-            if best.as_ref().is_some_and(|best| fit.root_mean_square > 0.999 * best.root_mean_square) {
-                break;
+        for mut parameters in [chords(samples)?, equal] {
+            let mut reached = f64::INFINITY;
+            for _ in 0..CORRECTIONS {
+                let points = nearest(samples, &parameters, &basis)?;
+                let fit = Self::measured(samples, &parameters, points, &basis);
+                // Progress below a thousandth is not worth another step.
+                if fit.root_mean_square > 0.999 * reached {
+                    break;
+                }
+                reached = fit.root_mean_square;
+                correct(samples, &mut parameters, &fit.points, &basis);
+                if best.as_ref().is_none_or(|best| reached < best.root_mean_square) {
+                    best = Some(fit);
+                }
             }
-            correct(samples, &mut parameters, &fit.points, &basis);
-            best = Some(fit);
         }
         best.ok_or_else(|| "no curve was found".to_owned())
     }
@@ -143,7 +150,11 @@ mod tests {
         let points = [[0., 0., 0.], [1., 2., 0.], [3., 1., 1.], [4., 0., 0.]].map(Point::from);
         let samples = curve(&points, (0..=40).map(|k| f64::from(k) / 40.0));
         let fit = Fit::new(&samples, 3).unwrap();
-        assert!(fit.largest < 1e-3, "{}", fit.largest);
+        assert!(fit.largest < 1e-13, "{}", fit.largest);
+        // At other parameters the way to the curve is long.
+        let uneven = curve(&points, (0..=40).map(|k| f64::from(k) / 40.0).map(|t| t * (0.7 + 0.3 * t)));
+        let fit = Fit::new(&uneven, 3).unwrap();
+        assert!(fit.largest < 0.01, "{}", fit.largest);
         assert_eq!((fit.points[0], fit.points[3]), (samples[0], samples[40]));
         let straight =
             Fit::new(&curve(&[points[0], points[3]], (0..=7).map(|k| f64::from(k) / 7.0)), 4).unwrap();
