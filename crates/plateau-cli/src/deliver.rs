@@ -52,44 +52,49 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
     };
     let names = file_names(finished.methods.iter().map(|method| method.name.as_str()));
     let mut record = ResultFile::new(finished);
-    for (k, (method, file)) in finished.methods.iter().zip(&names).enumerate() {
-        let Ok(done) = &method.outcome else { continue };
-        for &format in &plan.output.formats {
-            let subject = Subject { name: &method.name, mesh: &done.mesh };
-            let solved = (&done.solved.surface, done.solved.family);
-            let file = format!("{file}.{}", format.name());
-            match export::write(format, &subject, solved, DEFAULT_TOLERANCE, &folder.join(&file)) {
-                Ok(form) => {
-                    if let Some(form) = &form {
-                        notes.push(format!("{file}: {}", form.description));
+    // What was computed is kept even where another file cannot be written.
+    let files = (|| {
+        for (k, (method, file)) in finished.methods.iter().zip(&names).enumerate() {
+            let Ok(done) = &method.outcome else { continue };
+            for &format in &plan.output.formats {
+                let subject = Subject { name: &method.name, mesh: &done.mesh };
+                let solved = (&done.solved.surface, done.solved.family);
+                let file = format!("{file}.{}", format.name());
+                match export::write(format, &subject, solved, DEFAULT_TOLERANCE, &folder.join(&file)) {
+                    Ok(form) => {
+                        if let Some(form) = &form {
+                            notes.push(format!("{file}: {}", form.description));
+                        }
+                        record.add_file(k, file, form);
                     }
-                    record.add_file(k, file, form);
+                    Err(ExportError::Failed(error)) => return Err(error),
+                    Err(refusal) => refusals.push(refusal),
                 }
-                Err(ExportError::Failed(error)) => return Err(error),
-                Err(refusal) => refusals.push(refusal),
             }
         }
-    }
-    if plan.output.formats.contains(&Format::Glb)
-        && let Some((helicoid, catenoid, weights)) = deformation(finished)
-    {
-        write("deformation.glb", &|out| {
-            export::deformation::write(&finished.title, helicoid, catenoid, &weights, out)
-        })?;
-    }
-    if plan.output.pictures {
-        let scene = Scene::of(finished);
-        let pictures = pictures(plan, finished, scene.as_ref());
-        for picture in &pictures {
-            write(&format!("{}.svg", picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
+        if plan.output.formats.contains(&Format::Glb)
+            && let Some((helicoid, catenoid, weights)) = deformation(finished)
+        {
+            write("deformation.glb", &|out| {
+                export::deformation::write(&finished.title, helicoid, catenoid, &weights, out)
+            })?;
         }
-        let report = page(plan, finished, scene.as_ref(), &pictures);
-        write("report.html", &|out| out.write_all(report.as_bytes()))?;
-    }
-    if let Some(curve) = &finished.curve {
-        write("curve.csv", &|out| export::csv::write(curve, out))?;
-    }
+        if plan.output.pictures {
+            let scene = Scene::of(finished);
+            let pictures = pictures(plan, finished, scene.as_ref());
+            for picture in &pictures {
+                write(&format!("{}.svg", picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
+            }
+            let report = page(plan, finished, scene.as_ref(), &pictures);
+            write("report.html", &|out| out.write_all(report.as_bytes()))?;
+        }
+        if let Some(curve) = &finished.curve {
+            write("curve.csv", &|out| export::csv::write(curve, out))?;
+        }
+        Ok(())
+    })();
     write("result.json", &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
+    files?;
     Ok(Delivered { folder, record, notes, refusals })
 }
 
