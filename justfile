@@ -26,6 +26,11 @@ bench-peer:
     target/peer-venv/bin/pip install --quiet -r benches/peer/requirements.txt
     target/peer-venv/bin/python benches/peer/compare.py target/release/examples/search_time
 
+# Open reports in a headless Chromium (CHROMIUM names it): no console errors, switching methods changes the picture.
+check-report *REPORTS:
+    cd crates/plateau-cli/web && npm install --silent
+    node crates/plateau-cli/web/check-report.mjs {{REPORTS}}
+
 # Format, lint, document.
 lint:
     cargo fmt --all
