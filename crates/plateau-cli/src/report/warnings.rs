@@ -81,6 +81,13 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
                 found.gradient
             ));
         }
+        if !found.area.settled {
+            warnings.push(format!(
+                "the search for the least area ended on a rule of {0}² points that does not integrate it (± {1:.1e}): the net \
+                 nearly folds, and its gradient is {2:.1e} of the root of the area",
+                found.area.points, found.area.error, found.gradient
+            ));
+        }
         if found.second_variation.is_some_and(|smallest| smallest < 0.0) {
             warnings.push(
                 "the surface is not a stable minimum: its second variation is negative along the normal; another \

@@ -31,7 +31,7 @@ pub struct AreaExtremal {
     /// Why the last iteration ended.
     pub end: NewtonEnd,
     /// The smallest value of `∫ (|∇f|² + 2 K f²) dA / ∫ |∇f|² dA` over displacements f N along the unit normal, f one of the
-    /// functions of the net that vanish on the border: the second variation of the area. Dimensionless, at most 1; positive
+    /// functions of the net that vanish on the border: the second variation of the area. Dimensionless, at most 1 where K ≤ 0; positive
     /// for a stable minimum, negative for a saddle. An upper bound of its value over all f. None if no point is free,
     /// or where the surface found has no normal.
     pub second_variation: Option<f64>,

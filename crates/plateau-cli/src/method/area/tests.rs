@@ -3,7 +3,7 @@
 use energy::{DenseForm, Functional, MetricForm, QuadraticForm, area};
 use proptest::prelude::*;
 use solve::{NewtonEnd, Partition, solve_partitioned};
-use surfaces::{Net, Patch, Point, TensorPatch, TriangleNet, TrianglePatch, tb_coons};
+use surfaces::{Mesh, Net, Patch, Point, TensorPatch, TriangleNet, TrianglePatch, tb_coons};
 
 use super::{AreaExtremal, least_area, least_area_triangle};
 
@@ -142,11 +142,16 @@ fn check(found: &AreaExtremal, patch: &dyn Patch, dirichlet: f64) -> Result<(), 
         (exact.value - found.area.value).abs() <= tolerance + 2.0 * (exact.error + found.area.error),
         "{found:?}"
     );
-    // Where the area is flat along what remains of the gradient, that is what the end says.
-    let gradient = if found.end == NewtonEnd::Minimum { 1e-9 } else { 1e-6 };
     prop_assert!(matches!(found.end, NewtonEnd::Minimum | NewtonEnd::Flat), "{found:?}");
-    prop_assert!(found.gradient * found.area.value.sqrt() <= gradient * found.area.value, "{found:?}");
-    prop_assert!(found.second_variation.is_some_and(|sigma| sigma <= 1.0 + 1e-9), "{found:?}");
+    // A net that folds nearly to a point is not settled by the largest rule, and says so; all others are stationary.
+    if found.area.settled {
+        prop_assert!(found.gradient * found.area.value.sqrt() <= 1e-9 * found.area.value, "{found:?}");
+    }
+    prop_assert!(found.second_variation.is_some_and(f64::is_finite), "{found:?}");
+    // Without positive curvature the form is at most that of a plane.
+    if Mesh::of(patch, 24).gauss_curvature.iter().all(|k| k.is_some_and(|k| k <= 0.0)) {
+        prop_assert!(found.second_variation.is_some_and(|sigma| sigma <= 1.0 + 1e-9), "{found:?}");
+    }
     Ok(())
 }
 
