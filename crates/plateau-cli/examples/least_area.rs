@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             for _ in 0..5 {
                 let begin = Instant::now();
                 let patch = TensorPatch::bernstein(net.raised(to - degree))?;
-                found = Some(least_area(&patch, tolerance)?.1);
+                found = Some(least_area(&patch, tolerance, &())?.1);
                 best = best.min(begin.elapsed().as_secs_f64());
             }
             let Some(found) = found else { continue };

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use plateau::{Finished, Options, Plan, Progress, deliver, table};
 
 use crate::command::{self, Failure, RunArguments, say};
@@ -69,7 +69,10 @@ fn experiment(
     } else {
         expectations(plan, &finished, stdout)?
     };
-    match deliver(plan, &finished, &arguments.out) {
+    bars.begin(&format!("files of {}", plan.stem), None);
+    let delivered = deliver(plan, &finished, &arguments.out);
+    bars.end();
+    match delivered {
         Ok(delivered) => {
             if json {
                 write!(stdout, "{}", delivered.record.to_json().map_err(std::io::Error::other)?)?;
@@ -153,15 +156,28 @@ impl Bars {
     }
 }
 
+/// The time left, from the first step on: before it nothing is known.
+fn left(state: &ProgressState, text: &mut dyn std::fmt::Write) {
+    if state.pos() > 0 {
+        // Text that cannot be written is a bar that cannot be shown.
+        let _ = write!(text, ", {:#} left", HumanDuration(state.eta()));
+    }
+}
+
 impl Progress for Bars {
-    fn begin(&self, what: &str, steps: u64) {
+    fn begin(&self, what: &str, steps: Option<u64>) {
         if !self.shown {
             return;
         }
-        let style = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} iterations, {eta} left");
-        let bar = ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr_with_hz(10));
-        let bar =
-            style.map(|style| bar.clone().with_style(style)).unwrap_or(bar).with_message(what.to_owned());
+        let style = ProgressStyle::with_template(match steps {
+            Some(_) => "{prefix} {wide_bar} {pos} of {len} {msg}{left}",
+            None => "{spinner} {prefix}: {elapsed} so far {msg}",
+        });
+        let bar = ProgressBar::with_draw_target(steps, ProgressDrawTarget::stderr_with_hz(10));
+        let bar = style
+            .map(|style| bar.clone().with_style(style.with_key("left", left)))
+            .unwrap_or(bar)
+            .with_prefix(what.to_owned());
         bar.enable_steady_tick(Duration::from_millis(200));
         self.with(|slot| *slot = Some(bar));
     }
@@ -171,6 +187,16 @@ impl Progress for Bars {
             self.with(|slot| {
                 if let Some(bar) = slot {
                     bar.inc(1);
+                }
+            });
+        }
+    }
+
+    fn tell(&self, state: &str) {
+        if self.shown {
+            self.with(|slot| {
+                if let Some(bar) = slot {
+                    bar.set_message(state.to_owned());
                 }
             });
         }

@@ -41,7 +41,7 @@ pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -
     let shared: Vec<Expected> = plan.expect.iter().filter(|e| is_shared(e.quantity)).cloned().collect();
     let digits = frames.to_string().len();
     let named = |k: usize| format!("frame {:0digits$} of {frames}", k + 1);
-    progress.begin("deformation", frames as u64);
+    progress.begin("deformation", Some(frames as u64));
     let deformation = surfaces::Deformation::new(path, u, v);
     let frame = |k: usize| -> Result<Done, MethodError> {
         if progress.cancelled() {

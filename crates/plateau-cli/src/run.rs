@@ -112,8 +112,11 @@ fn patches(context: &Context<'_>, mesh: usize) -> Vec<MethodResult> {
 
 fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Done, MethodError> {
     let solved = method::solve(method, context)?;
+    context.progress.begin(&format!("figures of {}", method.name), None);
     let mesh = solved.surface.mesh(mesh);
-    let figures = Figures::of(solved.surface.patch(), &mesh)?;
+    let figures = Figures::of(solved.surface.patch(), &mesh);
+    context.progress.end();
+    let figures = figures?;
     let boundary = match &solved.surface {
         Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
         Surface::Triangle(_) | Surface::Pieces(_) => None,

@@ -1,6 +1,7 @@
 //! Newton's method for the minimum of a smooth function, globalised by a trust region.
 
 use std::collections::VecDeque;
+use std::ops::ControlFlow;
 
 use crate::memory::{copy, zeros};
 use crate::trust_region::TrustRegion;
@@ -17,6 +18,11 @@ pub trait SmoothFunction {
 
     /// Fills `hessian` (n², symmetric) with the second derivatives at `x`, a point where the value was finite.
     fn hessian(&mut self, x: &[f64], hessian: &mut [f64]);
+
+    /// Called after every step tried, with the point reached so far; [`ControlFlow::Break`] ends the iteration there.
+    fn watch(&mut self, _reached: &NewtonReport) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 }
 
 /// When to stop, how far to trust.
@@ -60,6 +66,8 @@ pub enum NewtonEnd {
     NoDecrease,
     /// All steps allowed were made.
     Budget,
+    /// The function asked to stop.
+    Stopped,
     /// The function is not finite at the start.
     NotFinite,
 }
@@ -228,6 +236,10 @@ pub fn newton(
             radius = radius.max(2.5 * length);
         } else if quality < 0.25 {
             radius = if quality < 0.0 { 0.25 } else { 0.5 } * length.min(radius);
+        }
+        if function.watch(&report).is_break() {
+            report.end = NewtonEnd::Stopped;
+            return Ok(report);
         }
         values.push_back(report.value);
         let idle = values.len() > params.patience

@@ -1,9 +1,11 @@
 //! Newton's method on functions whose minima are known, and the two small decompositions around it.
 
+use std::ops::ControlFlow;
+
 use proptest::prelude::*;
 use solve::{
-    NewtonEnd, NewtonParams, SmoothFunction, SolveError, eigen_symmetric, newton, orthonormalise,
-    smallest_relative_eigenvalue, solve_spd,
+    NewtonEnd, NewtonParams, NewtonReport, SmoothFunction, SolveError, eigen_symmetric, newton,
+    orthonormalise, smallest_relative_eigenvalue, solve_spd,
 };
 
 /// A function of n unknowns given by its value, gradient and Hessian.
@@ -201,4 +203,30 @@ fn bad_input_is_an_error() {
     let not_definite = smallest_relative_eigenvalue(2, &[1.0, 0.0, 0.0, 1.0], &[1.0, 0.0, 0.0, -1.0]);
     assert!(matches!(not_definite, Err(SolveError::NotPositiveDefinite { .. })));
     assert_eq!(smallest_relative_eigenvalue(0, &[], &[]), Ok(None));
+}
+
+#[test]
+fn a_function_that_asks_to_stop_is_left_where_it_is() {
+    struct Watched(Given<Derivatives<'static>>, usize);
+    impl SmoothFunction for Watched {
+        fn unknowns(&self) -> usize {
+            self.0.unknowns()
+        }
+        fn value_and_gradient(&mut self, x: &[f64], gradient: &mut [f64]) -> f64 {
+            self.0.value_and_gradient(x, gradient)
+        }
+        fn hessian(&mut self, x: &[f64], hessian: &mut [f64]) {
+            self.0.hessian(x, hessian);
+        }
+        fn watch(&mut self, reached: &NewtonReport) -> ControlFlow<()> {
+            self.1 += 1;
+            assert_eq!(reached.iterations, self.1);
+            if self.1 < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        }
+    }
+    let start = [-1.0, 1.0];
+    let mut watched = Watched(valley(0.1), 0);
+    let report = newton(&mut watched, &start, NewtonParams::new(1e-10, 0.5)).unwrap();
+    assert_eq!((report.end, report.iterations, watched.1), (NewtonEnd::Stopped, 3, 3));
+    assert!(report.value < valley(0.1).value_and_gradient(&start, &mut [0.0; 2]));
 }

@@ -1,6 +1,7 @@
 //! The least area over the border as a function of the shape: what a search for the area asks.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use bases::{Basis, GtParts, Matrix, Stacked};
 use energy::area_derivative;
@@ -8,19 +9,38 @@ use optim::{Objective, Smooth};
 use surfaces::{Net, Product, TensorPatch, bernstein_less_blend};
 
 use super::{MethodError, area, with_shape};
-use crate::{Method, Patch};
+use crate::{Method, Patch, Progress};
 
 /// `A(α)`, the area of the area extremal at shape α; its gradient is the partial derivative of the area by the shape, the net
 /// held (the envelope theorem).
-pub(super) struct LeastArea {
+pub(super) struct LeastArea<'a> {
     net: Net,
     method: Method,
+    watch: Watch<'a>,
     /// For each of α1, α2, β1, β2 the derivative by it of the GT family it shapes.
     derivatives: [Arc<dyn Basis>; 4],
 }
 
-impl LeastArea {
-    pub(super) fn new(net: &Net, method: &Method) -> Result<Self, MethodError> {
+/// Counts the minimisations; passes on who wants them to end, not their steps.
+struct Watch<'a> {
+    progress: &'a dyn Progress,
+    found: AtomicU64,
+}
+
+impl Progress for Watch<'_> {
+    fn begin(&self, _: &str, _: Option<u64>) {}
+    fn step(&self) {}
+    fn end(&self) {
+        let found = 1 + self.found.fetch_add(1, Ordering::Relaxed);
+        self.progress.tell(&format!("({found} least areas)"));
+    }
+    fn cancelled(&self) -> bool {
+        self.progress.cancelled()
+    }
+}
+
+impl<'a> LeastArea<'a> {
+    pub(super) fn new(net: &Net, method: &Method, progress: &'a dyn Progress) -> Result<Self, MethodError> {
         let (m, n) = net.degrees();
         // GT functions are affine in the shape: the derivative by θ1 or θ2 is a family that does not depend on it.
         let part = |degree: usize, parameter: usize| -> Result<Arc<dyn Basis>, MethodError> {
@@ -31,13 +51,16 @@ impl LeastArea {
             Ok(Arc::new(Stacked::new(vec![Arc::new(GtParts::new(degree)?)], map)?))
         };
         let derivatives = [part(m, 1)?, part(m, 2)?, part(n, 1)?, part(n, 2)?];
-        Ok(Self { net: net.clone(), method: method.clone(), derivatives })
+        let watch = Watch { progress, found: AtomicU64::new(0) };
+        Ok(Self { net: net.clone(), method: method.clone(), watch, derivatives })
     }
 
     /// The extremal at one shape and its area.
     fn extremal(&self, shape: [f64; 4]) -> Result<(TensorPatch, energy::Integral), MethodError> {
         let patch = with_shape(self.net.clone(), &self.method, Some(shape))?;
-        let (patch, found) = area::least_area(&patch, self.method.tolerance)?;
+        let found = area::least_area(&patch, self.method.tolerance, &self.watch);
+        self.watch.end();
+        let (patch, found) = found?;
         Ok((patch, found.area))
     }
 
@@ -56,7 +79,7 @@ impl LeastArea {
     }
 }
 
-impl Objective for LeastArea {
+impl Objective for LeastArea<'_> {
     fn dimension(&self) -> usize {
         4
     }
@@ -69,7 +92,7 @@ impl Objective for LeastArea {
     }
 }
 
-impl Smooth for LeastArea {
+impl Smooth for LeastArea<'_> {
     fn dimension(&self) -> usize {
         4
     }

@@ -99,7 +99,7 @@ pub(crate) struct Context<'a> {
 pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
     let boundary = &context.experiment.boundary;
     if let Boundary::Triangle { ab, bc, ca } = boundary {
-        let (patch, solve, area) = triangle::solve(method, [ab, bc, ca])?;
+        let (patch, solve, area) = triangle::solve(method, [ab, bc, ca], context.progress)?;
         let (surface, family) = (Surface::Triangle(patch), Family::Triangle);
         return Ok(Solved { surface, family, shape: None, solve, area, search: None });
     }
@@ -116,7 +116,10 @@ pub(crate) fn solve(method: &Method, context: &Context<'_>) -> Result<Solved, Me
     let (patch, solve, area) = match construction {
         Some(figures) => (patch, Some(figures), None),
         None if extremal_energy(method) == Some(Energy::Area) => {
-            let (patch, found) = least_area(&patch, method.tolerance)?;
+            context.progress.begin(&format!("least area of {}", method.name), None);
+            let found = least_area(&patch, method.tolerance, context.progress);
+            context.progress.end();
+            let (patch, found) = found?;
             (patch, None, Some(found))
         }
         None => {

@@ -10,27 +10,32 @@ use surfaces::Net;
 
 use super::area_search::LeastArea;
 use super::{MethodError, extremal_energy, functional, prefers_separable};
-use crate::{Arithmetic, Energy, Method, Patch, SolverChoice};
+use crate::{Arithmetic, Energy, Method, Patch, Progress, SolverChoice};
 
 /// J of a method over a net; the gradient comes with the solve, by the envelope theorem.
-pub(super) enum Reduced {
+pub(super) enum Reduced<'a> {
     /// Polynomials of the shape, contracted with the boundary once: for small nets, any quadratic energy, any blend.
     Parametric(Box<Parametric>),
     /// Samples of the functions, orthonormalised at every shape: for large nets, where Gram matrices lose digits.
     Separable(Box<SeparableParametric>),
     /// The least area over the border: a minimisation at every shape.
-    Area(Box<LeastArea>),
+    Area(Box<LeastArea<'a>>),
 }
 
-impl Reduced {
-    pub(super) fn new(net: &Net, method: &Method, arithmetic: Arithmetic) -> Result<Self, MethodError> {
+impl<'a> Reduced<'a> {
+    pub(super) fn new(
+        net: &Net,
+        method: &Method,
+        arithmetic: Arithmetic,
+        progress: &'a dyn Progress,
+    ) -> Result<Self, MethodError> {
         if extremal_energy(method).is_some_and(|energy| energy != method.search_energy) {
             return Err(MethodError::Unavailable {
                 what: "a search-energy other than the energy whose extremal is taken",
             });
         }
         let Some(energy) = functional(method.search_energy) else {
-            return Ok(Self::Area(Box::new(LeastArea::new(net, method)?)));
+            return Ok(Self::Area(Box::new(LeastArea::new(net, method, progress)?)));
         };
         let (m, n) = net.degrees();
         let solved_for = net.fixed().contains(&false);
@@ -118,7 +123,7 @@ fn affine_samples(degree: usize) -> Result<AffineSamples, MethodError> {
     })
 }
 
-impl Objective for Reduced {
+impl Objective for Reduced<'_> {
     fn dimension(&self) -> usize {
         4
     }
@@ -139,7 +144,7 @@ impl Objective for Reduced {
     }
 }
 
-impl Smooth for Reduced {
+impl Smooth for Reduced<'_> {
     fn dimension(&self) -> usize {
         4
     }

@@ -84,12 +84,12 @@ pub(super) fn search(
     context: &Context<'_>,
 ) -> Result<SearchOutcome, MethodError> {
     let options = &context.experiment.search;
-    let reduced = Reduced::new(net, method, context.arithmetic)?;
+    let reduced = Reduced::new(net, method, context.arithmetic, context.progress)?;
     let bounds = Bounds::cube(4, options.lower, options.upper)?;
     let (polish, watch) = (Polish::default(), Watch(context.progress));
     let runs: Vec<SearchRun> = match mode {
         SearchMode::Polish => {
-            context.progress.begin(&format!("descending for {}", method.name), options.runs as u64);
+            context.progress.begin(&format!("descending for {}", method.name), Some(options.runs as u64));
             let descents = polish.run_starts(&reduced, &bounds, options.runs, context.seed)?;
             descents.into_iter().enumerate().map(|(k, p)| from_descent(context.seed, k, p)).collect()
         }
@@ -107,7 +107,7 @@ pub(super) fn search(
                 ..Pso::new(context.seed)
             };
             let steps = options.runs as u64 * (options.iterations as u64 + 1);
-            context.progress.begin(&format!("searching for {}", method.name), steps);
+            context.progress.begin(&format!("searching for {}", method.name), Some(steps));
             let found = pso.search(&reduced, &bounds, options.runs, &watch)?;
             let mut runs: Vec<SearchRun> = found.runs.iter().filter_map(from_swarm).collect();
             if mode == SearchMode::PsoPolish {
@@ -181,7 +181,7 @@ impl SearchRun {
     fn polish_with(
         &mut self,
         polish: &Polish,
-        reduced: &Reduced,
+        reduced: &Reduced<'_>,
         bounds: &Bounds,
     ) -> Result<(), MethodError> {
         let polished = polish.run(reduced, bounds, &self.shape)?;

@@ -5,18 +5,22 @@ use solve::{Partition, Solution, solve_partitioned};
 use surfaces::{Point, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
 use super::{AreaExtremal, MethodError, SolveFigures, area, functional, mask};
-use crate::{Energy, Interior, Mask, Method};
+use crate::{Energy, Interior, Mask, Method, Progress};
 
 /// Runs one method over the sides `ab`, `bc`, `ca`.
 pub(super) fn solve(
     method: &Method,
     [ab, bc, ca]: [&[[f64; 3]]; 3],
+    progress: &dyn Progress,
 ) -> Result<(TrianglePatch, Option<SolveFigures>, Option<AreaExtremal>), MethodError> {
     let points = |side: &[[f64; 3]]| side.iter().copied().map(Point::from).collect::<Vec<_>>();
     let net = TriangleNet::from_boundary(&points(ab), &points(bc), &points(ca))?.raised(method.raise)?;
     let (patch, figures) = match method.interior {
         Interior::Extremal { energy: Energy::Area, .. } => {
-            let (patch, found) = area::least_area_triangle(&TrianglePatch::new(net)?, method.tolerance)?;
+            progress.begin(&format!("least area of {}", method.name), None);
+            let found = area::least_area_triangle(&TrianglePatch::new(net)?, method.tolerance, progress);
+            progress.end();
+            let (patch, found) = found?;
             return Ok((patch, None, Some(found)));
         }
         Interior::Extremal { energy, metric_steps } => extremal(net, energy, metric_steps)?,

@@ -11,6 +11,7 @@ pub(crate) fn newton_end(end: NewtonEnd) -> &'static str {
         NewtonEnd::Flat => "the area is all but constant along what remains of the gradient",
         NewtonEnd::NoDecrease => "no step decreases the area any more",
         NewtonEnd::Budget => "all steps allowed were made",
+        NewtonEnd::Stopped => "it was stopped",
         NewtonEnd::NotFinite => "the area is not finite at the start",
         _ => "the iteration ended",
     }

@@ -4,11 +4,14 @@ mod space;
 #[cfg(test)]
 mod tests;
 
+use std::ops::ControlFlow;
+
 use energy::{EnergyError, Integral, NormalVariation};
-use solve::{NewtonEnd, NewtonParams, SmoothFunction, newton, smallest_relative_eigenvalue};
+use solve::{NewtonEnd, NewtonParams, NewtonReport, SmoothFunction, newton, smallest_relative_eigenvalue};
 use surfaces::{TensorPatch, TrianglePatch};
 
 use super::MethodError;
+use crate::Progress;
 use space::{Area, Product, Space, Sums, Triangle};
 
 /// What is known of a net of least area.
@@ -66,18 +69,24 @@ const COARSE: f64 = 1e-8;
 
 /// The patch of least area on the border of `patch`, among the nets of its families: from the Dirichlet extremal by
 /// trust-region Newton steps. The free points of `patch` play no part. `tolerance` is the relative decrease of the area that
-/// counts as none: along the valley of nets that differ by moving points along the surface there is no other end.
+/// counts as none: along the valley of nets that differ by moving points along the surface there is no other end. `progress`
+/// hears of every Newton step.
 ///
 /// # Errors
 /// [`MethodError::Energy`] with [`EnergyError::Singular`] if the Dirichlet extremal has parallel tangents at a point of
-/// the rule, [`MethodError::Solve`] if the functions depend on each other to working precision.
-pub fn least_area(patch: &TensorPatch, tolerance: f64) -> Result<(TensorPatch, AreaExtremal), MethodError> {
+/// the rule, [`MethodError::Solve`] if the functions depend on each other to working precision,
+/// [`MethodError::Interrupted`] if `progress` cancels.
+pub fn least_area(
+    patch: &TensorPatch,
+    tolerance: f64,
+    progress: &dyn Progress,
+) -> Result<(TensorPatch, AreaExtremal), MethodError> {
     let (m, n) = patch.net().degrees();
     let points = 3 * m.max(n) / 2 + FIRST_RULE;
     if patch.products().len() == 1 {
-        minimise_in(&Product::new(patch)?, patch, points, tolerance)
+        minimise_in(&Product::new(patch)?, patch, points, tolerance, progress)
     } else {
-        minimise_in(&Sums::new(patch, points)?, patch, points, tolerance)
+        minimise_in(&Sums::new(patch, points)?, patch, points, tolerance, progress)
     }
 }
 
@@ -88,9 +97,10 @@ pub fn least_area(patch: &TensorPatch, tolerance: f64) -> Result<(TensorPatch, A
 pub fn least_area_triangle(
     patch: &TrianglePatch,
     tolerance: f64,
+    progress: &dyn Progress,
 ) -> Result<(TrianglePatch, AreaExtremal), MethodError> {
     let points = 3 * patch.net().degree() / 2 + FIRST_RULE;
-    minimise_in(&Triangle::new(patch.net(), points)?, patch, points, tolerance)
+    minimise_in(&Triangle::new(patch.net(), points)?, patch, points, tolerance, progress)
 }
 
 fn minimise_in<S: Space>(
@@ -98,6 +108,7 @@ fn minimise_in<S: Space>(
     patch: &S::Patch,
     mut points: usize,
     tolerance: f64,
+    progress: &dyn Progress,
 ) -> Result<(S::Patch, AreaExtremal), MethodError> {
     let mut area = space.area(patch, points)?;
     let mut gradient = vec![0.0; area.unknowns()];
@@ -115,18 +126,19 @@ fn minimise_in<S: Space>(
     let pulled_steps = if tolerance < COARSE { PULLED_STEPS } else { PULLED_STEPS / 2 };
     let (mut iterations, mut evaluations, mut x) = (0, 1, dirichlet.clone());
     for pull in PULLS {
-        let mut pulled = Pulled { area: &area, pull, to: &dirichlet };
+        let mut pulled = Pulled { area: &area, pull, to: &dirichlet, progress };
         let size =
             x.iter().zip(&dirichlet).map(|(x, d)| (x - d).powi(2)).sum::<f64>().sqrt().max(0.01 * unit);
         let loose = NewtonParams { iterations: pulled_steps, ..NewtonParams::new(0.5 * pull * size, unit) };
-        let report = newton(&mut pulled, &x, loose)?;
+        let report = uninterrupted(newton(&mut pulled, &x, loose)?)?;
         iterations += report.hessians;
         evaluations += report.evaluations;
         x = report.x;
     }
     let mut patch = space.moved(patch, &vec![0.0; x.len()])?;
     loop {
-        let report = newton(&mut Pulled { area: &area, pull: 0.0, to: &x }, &x, params)?;
+        let mut free = Pulled { area: &area, pull: 0.0, to: &x, progress };
+        let report = uninterrupted(newton(&mut free, &x, params)?)?;
         iterations += report.hessians;
         evaluations += report.evaluations + 1;
         patch = space.moved(&patch, &report.x)?;
@@ -160,6 +172,10 @@ fn minimise_in<S: Space>(
     }
 }
 
+fn uninterrupted(report: NewtonReport) -> Result<NewtonReport, MethodError> {
+    if report.end == NewtonEnd::Stopped { Err(MethodError::Interrupted) } else { Ok(report) }
+}
+
 /// Steps without a decrease to wait for: 8 where the area is wanted to all digits, 1 at a tolerance of 10⁻⁷ and above.
 fn patience(tolerance: f64) -> usize {
     (-13.0 - 2.0 * libm::log10(tolerance)).clamp(1.0, 8.0) as usize
@@ -178,6 +194,7 @@ struct Pulled<'a> {
     area: &'a Area,
     pull: f64,
     to: &'a [f64],
+    progress: &'a dyn Progress,
 }
 
 impl SmoothFunction for Pulled<'_> {
@@ -199,5 +216,16 @@ impl SmoothFunction for Pulled<'_> {
             hessian.fill(f64::NAN);
         }
         hessian.iter_mut().step_by(x.len() + 1).for_each(|h| *h += self.pull);
+    }
+
+    fn watch(&mut self, reached: &NewtonReport) -> ControlFlow<()> {
+        self.progress.step();
+        let distance: f64 = reached.x.iter().zip(self.to).map(|(x, to)| (x - to).powi(2)).sum();
+        self.progress.tell(&format!(
+            "(step {}: area {:.9})",
+            reached.iterations,
+            reached.value - 0.5 * self.pull * distance
+        ));
+        if self.progress.cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

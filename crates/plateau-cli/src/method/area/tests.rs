@@ -46,7 +46,7 @@ fn enneper() -> TriangleNet {
 }
 
 fn of(net: Net) -> (TensorPatch, AreaExtremal) {
-    least_area(&TensorPatch::bernstein(net).unwrap(), 1e-11).unwrap()
+    least_area(&TensorPatch::bernstein(net).unwrap(), 1e-11, &()).unwrap()
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn the_saddle_frame_converges_with_the_degree() {
 
 #[test]
 fn enneper_is_found_exactly() {
-    let (patch, found) = least_area_triangle(&TrianglePatch::new(enneper()).unwrap(), 1e-11).unwrap();
+    let (patch, found) = least_area_triangle(&TrianglePatch::new(enneper()).unwrap(), 1e-11, &()).unwrap();
     let middle = patch.net().point(1, 1);
     assert!(middle.distance(Point::new(2.0 / 3.0, 1.0, 5.0 / 3.0)) <= 1e-12, "{middle:?}");
     assert!((found.area.value - 421.0 / 90.0).abs() <= 1e-12 && found.end == NewtonEnd::Minimum, "{found:?}");
@@ -129,7 +129,7 @@ fn borders_without_freedom_or_without_area_are_told() {
     };
     let (_, found) = of(corners(1.0));
     assert!((found.area.value - 1.0).abs() <= 1e-14 && found.second_variation.is_none(), "{found:?}");
-    let error = least_area(&TensorPatch::bernstein(corners(0.0).raised(2)).unwrap(), 1e-11).unwrap_err();
+    let error = least_area(&TensorPatch::bernstein(corners(0.0).raised(2)).unwrap(), 1e-11, &()).unwrap_err();
     assert!(error.to_string().contains("singular at (u, v) = ("), "{error}");
 }
 
@@ -174,11 +174,11 @@ proptest! {
         let form = QuadraticForm::of(Functional::Dirichlet, &patch).unwrap();
         let matrix = form.matrix();
         let solved = solve_partitioned(20, matrix.as_slice(), &Partition::new(net.fixed()), 3, &net.coordinates()).unwrap();
-        let (extremal, found) = least_area(&patch, 1e-11).unwrap();
+        let (extremal, found) = least_area(&patch, 1e-11, &()).unwrap();
         check(&found, &extremal, form.value(&solved.x))?;
         prop_assert_eq!(extremal.net().boundary(), net.boundary());
         // From its own extremal it goes nowhere.
-        let (_, again) = least_area(&extremal, 1e-11).unwrap();
+        let (_, again) = least_area(&extremal, 1e-11, &()).unwrap();
         prop_assert!((again.area.value - found.area.value).abs() <= 1e-9 * found.area.value);
     }
 
@@ -198,7 +198,7 @@ proptest! {
         let count = net.points().len();
         let solved =
             solve_partitioned(count, form.matrix().as_slice(), &Partition::new(net.fixed()), 3, &net.coordinates()).unwrap();
-        let (extremal, found) = least_area_triangle(&TrianglePatch::new(net).unwrap(), 1e-11).unwrap();
+        let (extremal, found) = least_area_triangle(&TrianglePatch::new(net).unwrap(), 1e-11, &()).unwrap();
         check(&found, &extremal, form.value(&solved.x))?;
     }
 }
