@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use surfaces::Mesh;
 use thiserror::Error;
 
-use crate::export::{DEFAULT_TOLERANCE, ExportError, Subject};
+use crate::export::{ExportError, Subject};
 use crate::picture::pictures;
 use crate::report_html::page;
 use crate::result::ResultFile;
@@ -60,7 +60,8 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
                 let subject = Subject { name: &method.name, mesh: &done.mesh };
                 let solved = (&done.solved.surface, done.solved.family);
                 let file = format!("{file}.{}", format.name());
-                match export::write(format, &subject, solved, DEFAULT_TOLERANCE, &folder.join(&file)) {
+                match export::write(format, &subject, solved, plan.output.step_tolerance, &folder.join(&file))
+                {
                     Ok(form) => {
                         if let Some(form) = &form {
                             notes.push(format!("{file}: {}", form.description));

@@ -32,6 +32,7 @@ mod atomic;
 mod base64;
 mod boundary_figures;
 mod closed_form;
+mod colour;
 mod curve;
 mod deliver;
 mod diagnostic;

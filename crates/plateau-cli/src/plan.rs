@@ -169,7 +169,7 @@ impl CurveBasis {
 }
 
 /// What is written beside `result.json`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Output {
     /// Subdivisions of the surface mesh per side, in 2..=2000.
     pub mesh: usize,
@@ -177,12 +177,14 @@ pub struct Output {
     pub formats: Vec<Format>,
     /// Whether pictures and the report are written.
     pub pictures: bool,
+    /// Largest distance between a fitted surface in a STEP file and the patch, as a share of its size, in (0, 1].
+    pub step_tolerance: f64,
 }
 
 impl Default for Output {
     /// 48 subdivisions, no export, pictures and report.
     fn default() -> Self {
-        Self { mesh: 48, formats: Vec::new(), pictures: true }
+        Self { mesh: 48, formats: Vec::new(), pictures: true, step_tolerance: crate::DEFAULT_TOLERANCE }
     }
 }
 

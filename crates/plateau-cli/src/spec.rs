@@ -165,4 +165,5 @@ pub(crate) struct OutputSpec {
     pub(crate) mesh: Key<Integer>,
     pub(crate) formats: Key<TextList>,
     pub(crate) pictures: Key<Switch>,
+    pub(crate) step_tolerance: Key<Number>,
 }

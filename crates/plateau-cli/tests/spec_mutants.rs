@@ -278,6 +278,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("mesh of 10^10", TENSOR, &[("mesh = 48", "mesh = «10000000000»")], Inadmissible, &["mesh", "2000"]),
     mutant("unknown format", TENSOR, &[("[\"obj\"]", "[«\"objs\"»]")], Inadmissible, &["formats", "did you mean \"obj\"?"]),
     mutant("pictures by number", TENSOR, &[("formats = [", "pictures = «1»\nformats = [")], WrongType, &["pictures", "true or false"]),
+    mutant("STEP tolerance of nothing", TENSOR, &[("formats = [", "step-tolerance = «0»\nformats = [")], Inadmissible, &["step-tolerance", "above 0", "1e-6"]),
     // Helicoids.
     mutant("helicoid without b", HELICOID, &[("[helicoid]", "«[helicoid]»"), ("b = 2.0\n", "")], Missing, &["`b`"]),
     mutant("helicoid of nothing", HELICOID, &[("a = 1.0", "a = 0"), ("b = 2.0", "b = «0»")], Inadmissible, &["catenoid"]),

@@ -1,9 +1,9 @@
 //! Sound experiment files become the plans they describe.
 
 use plateau::{
-    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Energy, Experiment, Format, Interior, Mask,
-    Method, Output, Patch, PatchExperiment, Plan, Quantity, Search, SearchMode, Shape, SolverChoice,
-    Template, Variant,
+    Basis, Boundary, CurveBasis, DEFAULT_TOLERANCE, Deformation, DeformationPath, Energy, Experiment, Format,
+    Interior, Mask, Method, Output, Patch, PatchExperiment, Plan, Quantity, Search, SearchMode, Shape,
+    SolverChoice, Template, Variant,
 };
 
 fn plan(text: &str) -> Plan {
@@ -63,7 +63,10 @@ fn the_tensor_example() {
     assert_eq!((plan.title.as_str(), plan.seed), ("Bicubic boundary net I", 7));
     assert_eq!((plan.stem.as_str(), plan.file.as_str()), ("net.one", "some/folder/net.one.toml"));
     assert_eq!(plan.text, text);
-    assert_eq!(plan.output, Output { mesh: 48, formats: vec![], pictures: true });
+    assert_eq!(
+        plan.output,
+        Output { mesh: 48, formats: vec![], pictures: true, step_tolerance: DEFAULT_TOLERANCE }
+    );
     let patches = patches(&plan);
     let Boundary::Tensor { u0, u1, v0, v1 } = &patches.boundary else { panic!("{:?}", patches.boundary) };
     assert_eq!(u0[1], [2.0, 0.0, 2.0]);
@@ -364,11 +367,16 @@ fn published_numbers_one_or_several() {
 #[test]
 fn output_formats_in_the_order_of_the_file() {
     let text = format!(
-        "{NET}[[method]]\nname = \"a\"\nenergy = \"area\"\n[output]\nmesh = 2000\npictures = false\nformats = [\"step\", \"obj\", \"step\"]\n"
+        "{NET}[[method]]\nname = \"a\"\nenergy = \"area\"\n[output]\nmesh = 2000\npictures = false\nstep-tolerance = 1e-3\nformats = [\"step\", \"obj\", \"step\"]\n"
     );
     assert_eq!(
         plan(&text).output,
-        Output { mesh: 2000, formats: vec![Format::Step, Format::Obj], pictures: false }
+        Output {
+            mesh: 2000,
+            formats: vec![Format::Step, Format::Obj],
+            pictures: false,
+            step_tolerance: 1e-3
+        }
     );
 }
 
@@ -441,6 +449,7 @@ fn the_tensor_template_shows_every_key_of_its_tables() {
         "mesh",
         "formats",
         "pictures",
+        "step-tolerance",
         "source",
         "quantity",
         "heading",

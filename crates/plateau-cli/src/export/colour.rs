@@ -2,6 +2,8 @@
 
 use surfaces::Mesh;
 
+use crate::colour;
+
 /// |H| times the size of the mesh below which mean curvature is rounding: a minimal surface has no colours.
 const FLAT: f64 = 1e-9;
 
@@ -24,12 +26,7 @@ pub(crate) fn by_mean_curvature(mesh: &Mesh) -> Option<(Vec<[u8; 3]>, f64)> {
 
 /// The colour of a curvature in units of the full one, sRGB.
 fn shade(h: Option<f64>) -> [u8; 3] {
-    const BLUE: [f64; 3] = [33.0, 102.0, 172.0];
-    const WHITE: [f64; 3] = [247.0, 247.0, 247.0];
-    const RED: [f64; 3] = [178.0, 24.0, 43.0];
-    let Some(h) = h.filter(|h| h.is_finite()) else { return [128; 3] };
-    let (end, share) = if h < 0.0 { (BLUE, (-h).min(1.0)) } else { (RED, h.min(1.0)) };
-    std::array::from_fn(|k| (WHITE[k] + share * (end[k] - WHITE[k])).round() as u8)
+    h.filter(|h| h.is_finite()).map_or(colour::NONE, colour::diverging)
 }
 
 #[cfg(test)]
@@ -37,13 +34,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn signs_have_colours_and_zero_has_none() {
-        assert_eq!(shade(Some(0.0)), [247; 3]);
-        assert_eq!(shade(Some(-7.0)), [33, 102, 172]);
-        assert_eq!(shade(Some(1.0)), [178, 24, 43]);
-        assert_eq!(shade(None), [128; 3]);
-        let halfway = shade(Some(0.5));
-        assert!(halfway[0] > 178 && halfway[2] > 43 && halfway[2] < 247, "{halfway:?}");
+    fn signs_have_colours_and_a_missing_curvature_is_grey() {
+        assert_eq!([0.0, -7.0, 0.5].map(|h| shade(Some(h))), [0.0, -1.0, 0.5].map(colour::diverging));
+        assert_eq!([None, Some(f64::NAN)].map(shade), [colour::NONE; 2]);
     }
 
     #[test]

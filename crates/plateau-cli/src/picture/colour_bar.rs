@@ -1,10 +1,12 @@
 use super::axis::ticks;
-use super::colour;
 use super::svg::{Anchor, Font, INK, Length, Svg};
+use crate::colour;
 use crate::scene::Field;
 
 /// Width of the bar itself; its numbers stand to the right of it.
 const WIDTH: f64 = 14.0;
+/// Width of a digit of its numbers, in the widest of the fonts they may be shown in.
+const DIGIT: f64 = 7.2;
 /// Stripes of colour.
 const STRIPES: usize = 64;
 
@@ -45,12 +47,15 @@ pub(super) fn draw(svg: &mut Svg, [left, top, height]: [f64; 3], field: Field, f
     svg.element(format_args!(
         r#"path d="{outline}L{left} {bottom}z" fill="none" stroke="{INK}" stroke-width="0.8""#
     ));
+    let mut widest: f64 = 0.0;
     for (value, label) in ticks(low, full, 6) {
+        widest = widest.max(DIGIT * label.chars().count() as f64);
         let y = bottom - height * (value - low) / (full - low);
         svg.line([right, y], [right + 4.0, y], INK, 0.8);
         svg.text([right + 7.0, y + 4.0], Anchor::Start, Font::SMALL, &label);
     }
     let unit = if field.unit().is_empty() { String::new() } else { format!(" ({})", field.unit()) };
     let label = format!("{} {}{unit}", field.name(), field.symbol());
-    svg.turned_text([right + 62.0, top + 0.5 * height], Anchor::Middle, Font::LABEL, &label, -90.0);
+    let beside = (right + 19.0 + widest).max(right + 62.0);
+    svg.turned_text([beside, top + 0.5 * height], Anchor::Middle, Font::LABEL, &label, -90.0);
 }

@@ -6,8 +6,9 @@ use surfaces::Domain;
 
 use super::axis::{Axis, frame, number};
 use super::svg::{Anchor, Font, INK, Length, Svg, path, shortened};
-use super::{Picture, arrange, colour, colour_bar, png};
+use super::{Picture, arrange, colour_bar, png};
 use crate::base64::base64;
+use crate::colour;
 use crate::scene::{Field, Scene, Shown, spread};
 
 /// Most maps in one picture.
@@ -22,6 +23,8 @@ const BAR: f64 = 110.0;
 const PIXELS: [usize; 2] = [96, 64];
 /// Index of "no value" in the palette.
 const NO_VALUE: u8 = 255;
+/// Largest |H| that is rounding, in units of the full scale.
+const ROUNDING: f64 = 1e-9;
 /// Level curves, in units of the full scale.
 const LEVELS: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
 
@@ -83,7 +86,10 @@ fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2
     svg.element(format_args!(
         r#"image x="{left_px}" y="{top_px}" width="{side}" height="{side}" preserveAspectRatio="none" clip-path="url(#{clip})" xlink:href="data:image/png;base64,{image}""#
     ));
-    for (level, width) in LEVELS.map(|level| (level * full, if level == 0.0 { 1.4 } else { 0.5 })) {
+    // Level curves of rounding would only show its noise.
+    let levels = if largest.is_some_and(|h| h > ROUNDING * full) { LEVELS.as_slice() } else { &[] };
+    for &level in levels {
+        let (level, width) = (level * full, if level == 0.0 { 1.4 } else { 0.5 });
         let d = level_curve(shown, values, level, [left, bottom]);
         if !d.is_empty() {
             svg.element(format_args!(

@@ -1,8 +1,7 @@
 //! Pictures of an experiment as SVG, one kind a file. All are light, small, and need nothing but themselves.
 
 mod axis;
-pub(crate) mod colour;
-mod colour_bar;
+pub(crate) mod colour_bar;
 mod convergence;
 mod curvature;
 mod deformation;

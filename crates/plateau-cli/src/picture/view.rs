@@ -4,7 +4,8 @@ use surfaces::Point;
 
 use super::axis::digits;
 use super::svg::{Anchor, FAINT, Font, INK, Length, Svg, path, shortened};
-use super::{Picture, arrange, colour, colour_bar};
+use super::{Picture, arrange, colour_bar};
+use crate::colour;
 use crate::scene::{Field, LARGEST_NET, Scene, Shown, spread};
 
 /// Most views in one picture.
@@ -171,10 +172,12 @@ fn control_net(svg: &mut Svg, scene: &Scene<'_>, shown: &Shown<'_>, camera: &Cam
     let net = &shown.net;
     let places: Vec<[f64; 2]> = net.points.iter().map(|&p| camera.project(scene.local(p), at)).collect();
     let lines: String = net.edges.iter().map(|&[p, q]| path([places[p], places[q]], false)).collect();
-    let dense = net.points.len() > 100;
+    let dense = net.points.len() > 64;
     let width = if dense { 0.4 } else { 0.8 };
+    // Many lines would hide the surface.
+    let opacity = 0.6 * (60.0 / net.edges.len().max(60) as f64).sqrt();
     svg.element(format_args!(
-        r#"path d="{lines}" fill="none" stroke="{INK}" stroke-width="{width}" stroke-opacity="0.6""#
+        r#"path d="{lines}" fill="none" stroke="{INK}" stroke-width="{width}" stroke-opacity="{opacity:.2}""#
     ));
     let radius = if dense { 1.2 } else { 2.3 };
     for (&[x, y], &boundary) in places.iter().zip(&net.on_boundary) {

@@ -198,6 +198,15 @@ fn output(check: &mut Check<'_>, key: &Spanned<Section<OutputSpec>>) -> Option<O
     if let Some(key) = &spec.pictures {
         output.pictures = key.get_ref().0;
     }
+    if let Some(key) = &spec.step_tolerance {
+        let help = "it is the largest distance between a fitted surface in a STEP file and the patch, as a share of the patch's \
+                    size; 1e-6 is the default";
+        let admitted = (|x| x > 0.0 && x <= 1.0, "above 0 and at most 1");
+        match check.number(&table, "step-tolerance", key, admitted, help) {
+            Some(tolerance) => output.step_tolerance = tolerance,
+            None => sound = false,
+        }
+    }
     let names = Format::ALL.map(|format| (format.name(), format));
     for name in spec.formats.iter().flat_map(|key| &key.get_ref().0) {
         match check.choice(&table, "formats", name, &names) {

@@ -3,7 +3,8 @@
 use serde_json::{Value, json};
 
 use crate::base64::base64;
-use crate::picture::{colour, digits};
+use crate::colour;
+use crate::picture::digits;
 use crate::scene::{Field, LARGEST_NET, Scene, Shown};
 
 /// The data of the viewer as JSON that may stand inside a script element. Points are in the frame of the scene, values in

@@ -12,8 +12,16 @@ const TRIANGLE: usize = 41 * 41;
 /// Fewest subdivisions of a side.
 const COARSE: usize = 12;
 
-/// Subdivisions wanted of each of several pieces.
-const PER_PIECE: usize = 12;
+/// Subdivisions wanted of each of several pieces: about as many of a turn of a helicoid.
+const PER_PIECE: usize = 24;
+
+/// Most subdivisions of a side.
+const LONGEST: usize = 216;
+
+/// Most faces wanted of one surface, and the fewest subdivisions across a long one for their sake: a picture of it alone
+/// draws them all.
+const FACES: usize = 3456;
+const ACROSS: usize = 16;
 
 /// All subdivisions are multiples of this, so that coarser faces fit.
 const STEP: usize = 4;
@@ -145,7 +153,10 @@ impl Sample {
 
 /// Subdivisions of both sides of a surface of so many pieces, within a budget of vertices where the coarsest grid allows.
 fn steps(pieces: [usize; 2], budget: usize) -> [usize; 2] {
-    let wanted = pieces.map(|count| (count * PER_PIECE).clamp(FINE, 240) as f64);
+    let mut wanted = pieces.map(|count| (count * PER_PIECE).clamp(FINE, LONGEST));
+    let short = usize::from(wanted[1] < wanted[0]);
+    wanted[short] = wanted[short].min((FACES / wanted[1 - short]).max(ACROSS));
+    let wanted = wanted.map(|n| n as f64);
     let vertices = (wanted[0] + 1.0) * (wanted[1] + 1.0);
     let shrink = (budget as f64 / vertices).sqrt().min(1.0);
     wanted.map(|n| ((n * shrink) as usize / STEP * STEP).max(COARSE))
@@ -196,7 +207,7 @@ mod tests {
     fn long_surfaces_get_more_steps_along_their_length() {
         assert_eq!(steps([1, 1], 10_000), [48, 48]);
         let [u, v] = steps([1, 20], 14_000);
-        assert!(v >= 200 && u >= 40, "{u} {v}");
+        assert!(v >= 200 && u >= ACROSS && u * v <= FACES, "{u} {v}");
         let [u, v] = steps([1, 1], 583);
         assert!((u + 1) * (v + 1) <= 583 && u == v, "{u} {v}");
     }
