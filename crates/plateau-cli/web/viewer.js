@@ -371,7 +371,7 @@
   }
 
   const methods = $("methods");
-  if (surfaces.length > 8) {
+  if (data.deformation || surfaces.length > 16) {
     methods.insertAdjacentHTML("beforeend",
       '<div class="frames"><button type="button" id="play" aria-pressed="false">Play</button>' +
       '<input type="range" id="frame" min="0" value="0" aria-label="Surface"></div>');

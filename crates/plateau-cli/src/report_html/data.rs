@@ -43,9 +43,16 @@ fn scene_value(scene: &Scene<'_>) -> Value {
         "fields": described,
         "scales": [scale(&|t| colour::diverging(2.0 * t - 1.0)), scale(&colour::sequential)],
         "none": colour::NONE,
+        "deformation": is_deformation(scene),
         "home": { "turn": scene.direction.azimuth, "tilt": scene.direction.elevation },
         "surfaces": scene.surfaces.iter().map(|shown| surface(scene, shown, &fields)).collect::<Vec<_>>(),
     })
+}
+
+/// Whether the surfaces are the frames of a deformation, to be played one after the other.
+fn is_deformation(scene: &Scene<'_>) -> bool {
+    let weighted = |shown: &Shown<'_>| shown.done.closed_form.is_some_and(|form| form.weights.is_some());
+    scene.surfaces.len() > 1 && scene.surfaces.iter().all(weighted)
 }
 
 fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Value {
