@@ -2,6 +2,8 @@
 //! (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., algorithm 15.1), and the
 //! residual of a solution as LAPACK's tests scale it.
 
+use crate::SolveError;
+
 /// A lower bound of ‖A⁻¹‖₁, almost always within a factor 3 of it.
 ///
 /// `solve` and `solve_transposed` replace a vector by `A⁻¹` and `A⁻ᵀ` times it. About five solves.
@@ -60,6 +62,14 @@ pub(crate) fn inverse_norm(
 /// Conditions beyond this prove nothing: 1/(n ε), and never above 10¹⁵.
 pub(crate) fn limit(n: usize) -> f64 {
     1.0 / (n.max(5) as f64 * f64::EPSILON)
+}
+
+/// The scaled residual above which LAPACK's tests call a solution wrong.
+const RESIDUAL_THRESHOLD: f64 = 30.0;
+
+/// The residual of a solution, if it is one.
+pub(crate) fn accepted(order: usize, ratio: f64) -> Result<f64, SolveError> {
+    if ratio <= RESIDUAL_THRESHOLD { Ok(ratio) } else { Err(SolveError::Residual { order, ratio }) }
 }
 
 /// ‖b − A x‖₁ / (‖A‖₁ ‖x‖₁ n ε) of one column.

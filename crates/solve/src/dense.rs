@@ -44,7 +44,7 @@ impl Cholesky {
         let (system, matrix) = in_units(n, matrix)?;
         let mut factor = copy(&matrix)?;
         if n <= SMALL {
-            factor_small(n, &mut factor)?;
+            factor_plain(n, &mut factor)?;
         } else {
             factor_blocked(n, &mut factor)?;
         }
@@ -73,7 +73,7 @@ impl Cholesky {
     ///
     /// # Errors
     /// [`SolveError::WrongShape`], [`SolveError::NotFinite`] (right-hand side, or a solution that overflows),
-    /// [`SolveError::OutOfMemory`].
+    /// [`SolveError::Residual`], [`SolveError::OutOfMemory`].
     pub fn solve(&self, columns: usize, rhs: &[f64]) -> Result<Solution, SolveError> {
         let solve = |x: &mut [f64]| {
             self.solve_in_place(x, columns);
@@ -97,7 +97,9 @@ impl Cholesky {
     }
 }
 
-fn factor_small(n: usize, a: &mut [f64]) -> Result<(), SolveError> {
+/// Cholesky's algorithm as it stands in the books, on the lower triangle of the column-major `a`: every entry loses its
+/// products one by one and is divided by the root of its pivot.
+pub(crate) fn factor_plain(n: usize, a: &mut [f64]) -> Result<(), SolveError> {
     for k in 0..n {
         let pivot = a[k * n + k];
         if pivot <= 0.0 || !pivot.is_finite() {
@@ -105,14 +107,13 @@ fn factor_small(n: usize, a: &mut [f64]) -> Result<(), SolveError> {
         }
         let root = pivot.sqrt();
         a[k * n + k] = root;
-        for i in k + 1..n {
-            a[k * n + i] /= root;
-        }
-        for j in k + 1..n {
-            let l = a[k * n + j];
-            for i in j..n {
-                a[j * n + i] -= a[k * n + i] * l;
-            }
+        let (done, rest) = a.split_at_mut((k + 1) * n);
+        let column = &mut done[k * n..];
+        column[k + 1..].iter_mut().for_each(|l| *l /= root);
+        for (j, other) in rest.chunks_exact_mut(n).enumerate() {
+            let j = k + 1 + j;
+            let l = column[j];
+            other[j..].iter_mut().zip(&column[j..]).for_each(|(a, c)| *a -= c * l);
         }
     }
     Ok(())
@@ -285,12 +286,9 @@ pub fn solve_partitioned(
         }
     }
     let order = free.len();
-    let mut block = zeros(order * order)?;
+    let block = partition.free_block(matrix)?;
     let mut rhs = zeros(order * columns)?;
     for (k, &i) in free.iter().enumerate() {
-        for (l, &j) in free.iter().enumerate() {
-            block[k * order + l] = matrix[i * n + j];
-        }
         for &j in fixed {
             for c in 0..columns {
                 rhs[k * columns + c] -= matrix[i * n + j] * values[j * columns + c];

@@ -105,6 +105,18 @@ pub enum SolveError {
         /// The bound it has to stay below.
         bound: usize,
     },
+    /// A system was factored, but its solution does not satisfy it: the ratio that LAPACK's tests call a failure.
+    #[error(
+        "the solution of the linear system of order {order} misses it by a scaled residual of {ratio:.3e}, above 30 \
+         (LAPACK's threshold of failure): rounding grew in the factorisation, so the numbers would be wrong; lower the \
+         degree or choose another solver"
+    )]
+    Residual {
+        /// Order of the matrix.
+        order: usize,
+        /// `‖b − A x‖ / (‖A‖ ‖x‖ n ε)`; not finite where the solution is zero and should not be.
+        ratio: f64,
+    },
     /// A weight of a quadrature rule is not positive.
     #[error(
         "weight {index} of the quadrature rule is not positive; take a rule with positive weights (Gauss)"

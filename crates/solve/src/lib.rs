@@ -14,11 +14,12 @@
 //! | `½ (K⊗M + M⊗K)`, the Dirichlet energy of a tensor net | [`Separable`] | O(n³) |
 //! | `Q` polynomial in shape parameters, at many of them | [`Parametric`] to about ten points a side, above it [`SeparableParametric`] | 40 ns (bicubic), 40 µs (degree 10), 0.15 ms (20) |
 //! | too few, too many or conflicting conditions | [`solve_rank`] | |
+//! | is a matrix positive definite beyond doubt? | [`proves_positive_definite`] | O(n³) |
 //! | is a critical point a minimum? | [`smallest_eigenvalue`], [`smallest_relative_eigenvalue`], [`eigen_symmetric`] | |
 //! | the minimum of a smooth function with its Hessian | [`newton`] | |
 //! | functions made orthonormal from samples | [`orthonormalise`] | |
 //!
-//! Every answer carries its residual, scaled as LAPACK's tests do (a failure above 30), and a condition number. What
+//! Every answer carries its residual, scaled as LAPACK's tests do (above 30 it is an error), and a condition number. What
 //! should be positive definite is factored as such or is an error that says why; nothing is shifted, nothing falls
 //! back, lack of memory is never called singular, and bad input never panics. Arrays are row-major slices of
 //! `f64`. All arithmetic runs on the calling thread, in an order that does not depend on anything but the input.
@@ -40,6 +41,7 @@
 //! # Ok::<(), solve::SolveError>(())
 //! ```
 
+mod certificate;
 mod check;
 mod condition;
 mod dense;
@@ -57,6 +59,7 @@ mod sparse;
 mod system;
 mod trust_region;
 
+pub use certificate::proves_positive_definite;
 pub use dense::{Cholesky, Lu, solve_general, solve_partitioned, solve_spd};
 pub use eigen::{SymmetricEigen, eigen_symmetric, smallest_eigenvalue, smallest_relative_eigenvalue};
 pub use error::{Place, SolveError};

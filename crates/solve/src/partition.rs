@@ -88,6 +88,20 @@ impl Partition {
         self.gather(&self.free, columns, values)
     }
 
+    /// The block `Q_ff` of a square matrix over all unknowns: `free × free`, row-major.
+    ///
+    /// # Errors
+    /// [`SolveError::WrongShape`] unless `matrix` is `order × order`; [`SolveError::OutOfMemory`].
+    pub fn free_block(&self, matrix: &[f64]) -> Result<Vec<f64>, SolveError> {
+        let (n, order) = (self.order(), self.free.len());
+        check::length("length of the matrix", check::product("size of the matrix", n, n)?, matrix.len())?;
+        let mut block = crate::memory::zeros(order * order)?;
+        for (row, &i) in block.chunks_exact_mut(order.max(1)).zip(&self.free) {
+            row.iter_mut().zip(&self.free).for_each(|(a, &j)| *a = matrix[i * n + j]);
+        }
+        Ok(block)
+    }
+
     /// The rows of the fixed unknowns, in order.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ mod parametric;
 
 pub use parametric::{AffineSamples, SeparableParametric};
 
-use crate::{Place, SolveError, check};
+use crate::{Place, SolveError, check, condition as accuracy};
 use direction::Direction;
 use net::{Net, spectrum};
 
@@ -30,8 +30,8 @@ pub struct SeparableSolution {
     pub x: Vec<f64>,
     /// The Dirichlet energy of the net.
     pub energy: f64,
-    /// How far the net misses the extremal, tested against the orthonormal functions: at most about 1, and a
-    /// failure above 30, as [`Solution::residual`](crate::Solution::residual).
+    /// How far the net misses the extremal, tested against the orthonormal functions: at most about 1, and never
+    /// above 30, as [`Solution::residual`](crate::Solution::residual).
     pub residual: f64,
     /// `max (λ_i + μ_j) / min (λ_i + μ_j)`: condition of the system that is solved, in orthonormal functions. The
     /// *surface* is accurate to about this times ε.
@@ -72,7 +72,8 @@ impl Separable {
     ///
     /// # Errors
     /// [`SolveError::NotPositiveDefinite`] if the energy does not determine the free points (all of a net is
-    /// free); [`SolveError::WrongShape`], [`SolveError::NotFinite`], [`SolveError::OutOfMemory`].
+    /// free); [`SolveError::WrongShape`], [`SolveError::NotFinite`], [`SolveError::Residual`],
+    /// [`SolveError::OutOfMemory`].
     pub fn solve(&self, values: &[f64]) -> Result<SeparableSolution, SolveError> {
         let mut net = Net::new(&self.u, &self.v)?;
         net.load(&self.u, &self.v, values)?;
@@ -91,7 +92,7 @@ fn solution(u: &Direction, v: &Direction, net: &mut Net) -> Result<SeparableSolu
     let energy = net.energy(u, v);
     let (least, largest) = spectrum(u, v);
     let condition = if u.free == 0 || v.free == 0 { 1.0 } else { largest / least };
-    let residual = net.residual(u, v);
+    let residual = accuracy::accepted(u.free * v.free, net.residual(u, v))?;
     Ok(SeparableSolution {
         x,
         energy,
