@@ -46,12 +46,7 @@ fn by_matrix(patch: &TensorPatch, matrix: &Matrix) -> Result<(TensorPatch, Solve
     let net = patch.net();
     let partition = Partition::new(net.fixed());
     let solution = solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())?;
-    let figures = SolveFigures {
-        solver: "dense",
-        residual: solution.residual,
-        condition: solution.condition,
-        basis_condition: None,
-    };
+    let figures = SolveFigures::dense(matrix, &partition, &solution)?;
     Ok((patch.with_net(net.with_coordinates(&solution.x)?)?, figures))
 }
 
@@ -67,6 +62,7 @@ fn by_separation(patch: &TensorPatch, product: &Product) -> Result<(TensorPatch,
         residual: solution.residual,
         condition: solution.condition,
         basis_condition: Some(solution.basis_condition),
+        certified: None,
     };
     Ok((patch.with_net(net.with_coordinates(&solution.x)?)?, figures))
 }

@@ -60,7 +60,8 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
         _ => 1.0,
     };
     let residual = solution.residual / (points as f64 * f64::EPSILON);
-    let figures = SolveFigures { solver: "rank", residual, condition, basis_condition: None };
+    let figures =
+        SolveFigures { solver: "rank", residual, condition, basis_condition: None, certified: None };
     Ok((Net::new(m + 1, n + 1, coordinates)?, figures))
 }
 

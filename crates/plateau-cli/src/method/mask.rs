@@ -35,6 +35,7 @@ pub(super) fn solve(
         residual: solution.residual,
         condition: solution.condition,
         basis_condition: None,
+        certified: None,
     };
     Ok((solved, figures))
 }

@@ -53,11 +53,31 @@ pub struct SolveFigures {
     /// For the separable solver: what the control points may lose besides, the surface not (the condition of the two
     /// families of functions).
     pub basis_condition: Option<f64>,
+    /// For the dense solver: whether the matrix is proved positive definite
+    /// ([`proves_positive_definite`](solve::proves_positive_definite)), so that the net is the only extremal and a minimum.
+    pub certified: Option<bool>,
 }
 
 impl SolveFigures {
     /// Of nets given by a formula: nothing was solved.
-    const EXPLICIT: Self = Self { solver: "explicit", residual: 0.0, condition: 1.0, basis_condition: None };
+    const EXPLICIT: Self =
+        Self { solver: "explicit", residual: 0.0, condition: 1.0, basis_condition: None, certified: None };
+
+    /// Of the extremal of a form with some points fixed, by a dense factorisation.
+    fn dense(
+        matrix: &bases::Matrix,
+        partition: &solve::Partition,
+        solution: &solve::Solution,
+    ) -> Result<Self, solve::SolveError> {
+        let block = partition.free_block(matrix.as_slice())?;
+        Ok(Self {
+            solver: "dense",
+            residual: solution.residual,
+            condition: solution.condition,
+            basis_condition: None,
+            certified: Some(solve::proves_positive_definite(partition.free().len(), &block)?),
+        })
+    }
 }
 
 /// A patch of any kind.

@@ -1,7 +1,7 @@
 //! Triangular patches over three boundary polygons (TRI, COONS).
 
 use energy::{DenseForm, MetricForm};
-use solve::{Partition, Solution, solve_partitioned};
+use solve::{Partition, solve_partitioned};
 use surfaces::{Point, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
 use super::{AreaExtremal, MethodError, SolveFigures, area, functional, mask};
@@ -54,10 +54,9 @@ fn extremal(
 fn minimise(form: &DenseForm, net: &TriangleNet) -> Result<(TrianglePatch, SolveFigures), MethodError> {
     let partition = Partition::new(net.fixed());
     let matrix = form.matrix();
-    let Solution { x, residual, condition } =
-        solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())?;
-    let figures = SolveFigures { solver: "dense", residual, condition, basis_condition: None };
-    Ok((TrianglePatch::new(net.with_coordinates(&x)?)?, figures))
+    let solution = solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())?;
+    let figures = SolveFigures::dense(matrix, &partition, &solution)?;
+    Ok((TrianglePatch::new(net.with_coordinates(&solution.x)?)?, figures))
 }
 
 fn by_mask(net: &TriangleNet, mask: Mask) -> Result<(TrianglePatch, SolveFigures), MethodError> {
