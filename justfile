@@ -40,3 +40,20 @@ lint:
 # The book into target/book; `just book --open` shows it. mdBook: `cargo install mdbook --locked`.
 book *ARGUMENTS:
     mdbook build docs {{ARGUMENTS}}
+
+# Fuzz experiment files, bases and the reader of results, SECONDS each (`cargo install cargo-fuzz --locked` first). Stable compilers
+# are told to accept the flags; nothing in the workspace has unsafe code, so no sanitizer is needed beyond the checks.
+fuzz SECONDS="600":
+    #!/usr/bin/env bash
+    set -euo pipefail
+    cd crates/plateau-cli
+    export RUSTC_BOOTSTRAP=1
+    for target in experiment basis result; do
+        mkdir -p fuzz/corpus/$target
+        seeds=(); options=(-max_total_time={{SECONDS}} -print_final_stats=1)
+        case $target in
+            experiment) seeds=(../../fixtures templates); options+=(-dict=fuzz/experiment.dict -max_len=4096) ;;
+            result) seeds=(fuzz/seeds/result) ;;
+        esac
+        cargo fuzz run --sanitizer none --debug-assertions $target fuzz/corpus/$target "${seeds[@]}" -- "${options[@]}"
+    done

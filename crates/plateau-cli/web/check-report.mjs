@@ -79,7 +79,7 @@ for (const file of words) {
     });
     if (await page.evaluate(() => JSON.parse(document.getElementById("surfaces").textContent).surfaces
       .every((s) => s.net.points))) await changes("the control net", () => page.locator("#net").click());
-    await changes("parameter lines", () => page.locator("#wires").click());
+    await changes("wireframe", () => page.locator("#wires").click());
   }
   if (keep) {
     const name = basename(dirname(resolve(file)));

@@ -92,7 +92,7 @@ fn view(scene: Option<&Scene<'_>>) -> String {
          <span id=\"high\"></span></div><div class=\"faint\" id=\"quantity\"></div></div>\n\
          <div class=\"choices\">\
          <label class=\"switch\"><input type=\"checkbox\" id=\"net\" checked> control net</label>\
-         <label class=\"switch\"><input type=\"checkbox\" id=\"wires\"> parameter lines</label>\
+         <label class=\"switch\"><input type=\"checkbox\" id=\"wires\"> wireframe</label>\
          <button type=\"button\" id=\"reset\">Reset the view</button></div>\n\
          <p class=\"faint notice\" id=\"help\">Drag or arrow keys turn, two fingers or + and − zoom, Shift-drag moves, \
          0 resets; the wheel zooms once the view is selected.</p>\n\

@@ -1,0 +1,54 @@
+//! Any bytes as an experiment file: a plan, or a refusal that says where; and what small plans compute is finite.
+
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use plateau::{Basis, Boundary, Energy, Experiment, Interior, Options, Plan, ResultFile, Shape, StoredResult};
+
+fuzz_target!(|bytes: &[u8]| {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    match Plan::parse("fuzz.toml", text) {
+        Err(refusal) => {
+            assert!(!refusal.diagnostics().is_empty());
+            let page = refusal.render(false);
+            assert!(page.contains("fuzz.toml:"), "no place: {page}");
+            for diagnostic in refusal.diagnostics() {
+                assert!(diagnostic.span().is_none_or(|span| span.end <= text.len()));
+            }
+        }
+        Ok(plan) if is_small(&plan) => {
+            let Ok(finished) = plateau::run(&plan, Options::default(), &()) else { return };
+            let record = ResultFile::new(&finished).to_json().expect("every record has a JSON form");
+            assert!(!record.contains("null"), "a number that is not finite: {record}");
+            if finished.curve.is_none() {
+                StoredResult::parse(record.as_bytes()).expect("what is written can be read");
+            }
+        }
+        Ok(_) => {}
+    }
+});
+
+/// Whether the plan runs in a few milliseconds: thousands of them a minute find more than one that takes a minute.
+fn is_small(plan: &Plan) -> bool {
+    let Experiment::Patch(patch) = &plan.experiment else { return false };
+    let points = match &patch.boundary {
+        Boundary::Tensor { u0, v0, .. } => u0.len().max(v0.len()),
+        Boundary::Triangle { ab, .. } => ab.len(),
+        _ => return false,
+    };
+    points <= 5
+        && plan.output.mesh <= 12
+        && patch.methods.len() <= 3
+        && patch.methods.iter().all(|method| {
+            let extremal = matches!(
+                method.interior,
+                Interior::Extremal { energy: Energy::Dirichlet | Energy::Laplacian | Energy::Coons, metric_steps: 0 }
+                    | Interior::DiscreteCoons
+                    | Interior::Mask(_)
+            );
+            extremal
+                && method.raise <= 2
+                && matches!(method.basis, Basis::Bernstein | Basis::Gt)
+                && !matches!(method.shape, Shape::Search(_))
+        })
+}
