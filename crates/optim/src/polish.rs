@@ -106,15 +106,50 @@ impl Polish {
         starts: usize,
         seed: u64,
     ) -> Result<Vec<Polished>, PolishError> {
-        self.validate(objective.dimension(), bounds)?;
-        count("starts", starts, MAX_STARTS)?;
-        let source = Source::new(Purpose::Starts, seed, 0);
-        let descend = |i| {
-            let mut stream = source.stream(i);
-            let start: Vec<f64> = (0..bounds.dimension()).map(|c| bounds.at(c, stream.uniform())).collect();
-            Descent::new(self, objective, bounds, &start).finish()
-        };
+        self.validate_starts(objective.dimension(), bounds, starts)?;
+        let descend = |start| self.descend(objective, bounds, start, seed);
         Ok((0..starts).into_par_iter().map(descend).collect())
+    }
+
+    /// Descends from one random point: start `start` of [`Polish::run_starts`], whose report it equals bit for bit.
+    ///
+    /// # Errors
+    /// As [`Polish::run_starts`] of `start + 1` starts.
+    pub fn run_start(
+        &self,
+        objective: &(impl Smooth + ?Sized),
+        bounds: &Bounds,
+        start: usize,
+        seed: u64,
+    ) -> Result<Polished, PolishError> {
+        self.validate_starts(objective.dimension(), bounds, start.saturating_add(1))?;
+        Ok(self.descend(objective, bounds, start, seed))
+    }
+
+    fn descend(
+        &self,
+        objective: &(impl Smooth + ?Sized),
+        bounds: &Bounds,
+        start: usize,
+        seed: u64,
+    ) -> Polished {
+        let mut stream = Source::new(Purpose::Starts, seed, 0).stream(start);
+        let point: Vec<f64> = (0..bounds.dimension()).map(|c| bounds.at(c, stream.uniform())).collect();
+        Descent::new(self, objective, bounds, &point).finish()
+    }
+
+    /// As [`Polish::validate`], for a number of random starts.
+    ///
+    /// # Errors
+    /// The first parameter at fault.
+    pub fn validate_starts(
+        &self,
+        dimension: usize,
+        bounds: &Bounds,
+        starts: usize,
+    ) -> Result<(), PolishError> {
+        self.validate(dimension, bounds)?;
+        count("starts", starts, MAX_STARTS)
     }
 
     /// Whether the parameters lie in their ranges and suit the box, without running anything.

@@ -164,12 +164,20 @@ impl Pso {
         runs: usize,
         observer: &(impl Observer + ?Sized),
     ) -> Result<Search, PsoError> {
-        self.validate(objective.dimension(), bounds)?;
-        count("runs", runs, MAX_HISTORY)?;
-        budget("runs × (iterations + 1)", runs, self.iterations + 1, MAX_HISTORY)?;
+        self.validate_search(objective.dimension(), bounds, runs)?;
         let fly = |run| self.fly(objective, bounds, run, observer);
         let runs = (0..runs).into_par_iter().map(fly).collect();
         Ok(Search { runs })
+    }
+
+    /// As [`Pso::validate`], for a search of several runs.
+    ///
+    /// # Errors
+    /// The first parameter at fault.
+    pub fn validate_search(&self, dimension: usize, bounds: &Bounds, runs: usize) -> Result<(), PsoError> {
+        self.validate(dimension, bounds)?;
+        count("runs", runs, MAX_HISTORY)?;
+        budget("runs × (iterations + 1)", runs, self.iterations + 1, MAX_HISTORY)
     }
 
     /// Whether the parameters lie in their ranges and suit the box, without running anything.

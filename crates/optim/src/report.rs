@@ -144,6 +144,11 @@ pub enum PolishReason {
     NotFinite,
 }
 
+impl PolishReason {
+    /// Every reason.
+    pub const ALL: [Self; 4] = [Self::Stationary, Self::Flat, Self::Budget, Self::NotFinite];
+}
+
 impl fmt::Display for PolishReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -166,9 +171,8 @@ pub enum Bound {
     Upper,
 }
 
-/// The report of one polish.
+/// The report of one polish. Plain numbers: whoever keeps them can make the report again.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct Polished {
     /// The objective's value at the point.
     pub value: f64,

@@ -1,8 +1,11 @@
+use serde::{Deserialize, Serialize};
+
 /// Which arithmetic evaluates the reduced energy in searches.
 ///
 /// The two round differently in the last digits, so that swarms take different paths; results are the same bit for bit
 /// only on the same one, which every result names.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Arithmetic {
     /// The faster one of this machine.
     #[default]

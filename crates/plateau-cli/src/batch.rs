@@ -1,30 +1,36 @@
 //! `run`: every experiment in turn, its table on stdout, its folder written before the next one starts.
 
-use std::io::{IsTerminal, Write};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::io::{ErrorKind, Write};
 use std::time::Duration;
 
-use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use plateau::{Finished, Options, Plan, Progress, deliver, table};
+use plateau::{
+    Checkpoint, Finished, Manifest, Options, Plan, Progress, deliver, earlier, prepare, run_kept, table,
+};
 
+use crate::bars::Bars;
 use crate::command::{self, Failure, RunArguments, say};
+use crate::interrupt::{interrupted, listen};
+use crate::outlet::Outlet;
 
-/// Set by Ctrl-C: the work at hand ends as soon as it can.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-
-/// Runs the files; a failure of one experiment loses none of the others.
+/// Runs the files; a failure of one experiment loses none of the others, nor does one of stdout.
 pub(crate) fn run(arguments: &RunArguments, stdout: &mut impl Write) -> Result<(), Failure> {
     let plans = command::read_plans(&arguments.files)?;
     command::distinct_stems(&plans, &arguments.out)?;
-    if let Some(threads) = arguments.threads {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
-        if let Err(error) = pool {
-            say(&format!("error: {threads} threads cannot be started: {error}"));
-            return Err(Failure::Input);
-        }
-    }
+    command::start_threads(arguments.threads)?;
     listen();
+    let mut outlet = Outlet::new(stdout);
+    let outcome = experiments(&plans, arguments, &mut outlet);
+    match (outcome, outlet.finish()) {
+        (Ok(()), output) => Ok(output?),
+        (Err(failure), Err(error)) if error.kind() != ErrorKind::BrokenPipe => {
+            say(&format!("error: the output cannot be written: {error}"));
+            Err(failure)
+        }
+        (Err(failure), _) => Err(failure),
+    }
+}
+
+fn experiments(plans: &[Plan], arguments: &RunArguments, stdout: &mut impl Write) -> Result<(), Failure> {
     let bars = Bars::new(arguments.quiet);
     let options = Options { seed: arguments.seed, arithmetic: arguments.arithmetic.into() };
     let mut sound = true;
@@ -32,45 +38,96 @@ pub(crate) fn run(arguments: &RunArguments, stdout: &mut impl Write) -> Result<(
         if k > 0 && !arguments.json {
             writeln!(stdout)?;
         }
-        sound &= experiment(plan, options, arguments, &bars, stdout)?;
-        if INTERRUPTED.load(Ordering::Relaxed) {
-            say("interrupted: what is printed above is done and written; the rest was not run");
+        sound &= match experiment(plan, options, arguments, &bars, stdout)? {
+            Outcome::Sound => true,
+            Outcome::Unsound => false,
+            Outcome::Interrupted(kept) => {
+                say(&told_of_interrupt(k, plans, &kept));
+                return Err(Failure::Interrupted);
+            }
+        };
+        if interrupted() && k + 1 < plans.len() {
+            say(&told_of_interrupt(k + 1, plans, ""));
             return Err(Failure::Interrupted);
         }
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
 }
 
-/// One experiment; whether all of it succeeded and met what its file expects.
+/// What became of an experiment.
+enum Outcome {
+    /// All of it succeeded and met what its file expects.
+    Sound,
+    /// Something did not; it has been told.
+    Unsound,
+    /// It was not finished; what is kept of it.
+    Interrupted(String),
+}
+
+impl Outcome {
+    fn of(sound: bool) -> Self {
+        if sound { Self::Sound } else { Self::Unsound }
+    }
+}
+
+fn told_of_interrupt(done: usize, plans: &[Plan], kept: &str) -> String {
+    format!(
+        "interrupted: {done} of {} experiments done and written{kept}; to go on, add --resume to the same command",
+        plans.len()
+    )
+}
+
 fn experiment(
     plan: &Plan,
     options: Options,
     arguments: &RunArguments,
     bars: &Bars,
     stdout: &mut impl Write,
-) -> Result<bool, Failure> {
-    let finished = match plateau::run(plan, options, bars) {
+) -> Result<Outcome, Failure> {
+    let (out, folder) = (&arguments.out, arguments.out.join(&plan.stem));
+    if let Err(error) = prepare(plan, out) {
+        say(&format!(
+            "error: {}: not run, for its result could not be written: {error}; --out names another folder",
+            plan.file
+        ));
+        return Ok(Outcome::Unsound);
+    }
+    let interval = Duration::from_secs_f64(arguments.checkpoint_every);
+    let checkpoint = Checkpoint::new(&folder, Manifest::new(plan, options), interval);
+    if arguments.resume {
+        if let Some(earlier) = earlier(plan, options, out) {
+            forget(&checkpoint);
+            return repeat(plan, &earlier, arguments, stdout);
+        }
+        take(plan, &checkpoint);
+    }
+    let finished = match run_kept(plan, options, bars, Some(&checkpoint)) {
         Ok(finished) => finished,
         Err(error) => {
             say(&format!("error: {}: {error}", plan.file));
-            return Ok(false);
+            // Only if there is nothing in it.
+            let _ = std::fs::remove_dir(&folder);
+            return Ok(Outcome::Unsound);
         }
     };
-    if !arguments.json {
-        write!(stdout, "{}", table(&finished))?;
-    }
     // A folder is only replaced by a whole experiment.
-    if INTERRUPTED.load(Ordering::Relaxed) {
-        return Ok(false);
+    if finished.was_interrupted() {
+        let kept = kept(plan, &checkpoint);
+        let _ = std::fs::remove_dir(&folder);
+        return Ok(Outcome::Interrupted(kept));
+    }
+    if let Some(problem) = checkpoint.problem() {
+        say(&format!("warning: {}: finished runs could not be kept: {problem}", checkpoint.path().display()));
     }
     let json = arguments.json;
     let mut sound = if json {
         expectations(plan, &finished, &mut std::io::sink())?
     } else {
+        write!(stdout, "{}", table(&finished))?;
         expectations(plan, &finished, stdout)?
     };
     bars.begin(&format!("files of {}", plan.stem), None);
-    let delivered = deliver(plan, &finished, &arguments.out);
+    let delivered = deliver(plan, &finished, out);
     bars.end();
     match delivered {
         Ok(delivered) => {
@@ -86,21 +143,77 @@ fn experiment(
                 say(&format!("error: {refusal}"));
                 sound = false;
             }
+            forget(&checkpoint);
         }
         Err(error) => {
-            say(&format!("error: the result cannot be written: {error}"));
-            return Ok(false);
+            say(&format!("error: {}: the result cannot be written: {error}", plan.file));
+            // It is all there is of the work now.
+            let _ = checkpoint.flush();
+            return Ok(Outcome::Unsound);
         }
     }
     stdout.flush()?;
-    Ok(sound && finished.failures().next().is_none())
+    Ok(Outcome::of(sound && finished.failures().next().is_none()))
+}
+
+/// An experiment whose result is there already.
+fn repeat(
+    plan: &Plan,
+    earlier: &plateau::Earlier,
+    arguments: &RunArguments,
+    stdout: &mut impl Write,
+) -> Result<Outcome, Failure> {
+    let folder = arguments.out.join(&plan.stem);
+    if arguments.json {
+        write!(stdout, "{}", earlier.json)?;
+    } else {
+        writeln!(stdout, "{}\nnot run again: its result is in {}", plan.title, folder.display())?;
+    }
+    stdout.flush()?;
+    let (missed, failed) = (earlier.missed, earlier.failed);
+    if missed + failed > 0 {
+        say(&format!("{}: {missed} expected numbers missed, {failed} methods failed", plan.file));
+    }
+    Ok(Outcome::of(missed + failed == 0))
+}
+
+/// Takes what an interrupted run left behind.
+fn take(plan: &Plan, checkpoint: &Checkpoint) {
+    match checkpoint.load() {
+        Ok(0) => {}
+        Ok(runs) => {
+            say(&format!("{}: {} taken from {}", plan.file, counted(runs), checkpoint.path().display()))
+        }
+        Err(error) => say(&format!("warning: {} is ignored: {error}", checkpoint.path().display())),
+    }
+}
+
+/// Keeps what is done of an interrupted experiment; what that is, in words.
+fn kept(plan: &Plan, checkpoint: &Checkpoint) -> String {
+    let runs = checkpoint.runs();
+    match checkpoint.flush() {
+        _ if runs == 0 => String::new(),
+        Ok(()) => format!(", {} of {} kept", counted(runs), plan.file),
+        Err(error) => format!(", {} of {} could not be kept: {error}", counted(runs), plan.file),
+    }
+}
+
+fn counted(runs: usize) -> String {
+    if runs == 1 { "1 finished search run".into() } else { format!("{runs} finished search runs") }
+}
+
+/// Removes the checkpoint of an experiment that is done.
+fn forget(checkpoint: &Checkpoint) {
+    if let Err(error) = checkpoint.remove() {
+        say(&format!("warning: {} is of no use any more: {error}", checkpoint.path().display()));
+    }
 }
 
 /// `reproduce`: the published tables; nothing is written to disk.
 pub(crate) fn reproduce(json: bool, quiet: bool, stdout: &mut impl Write) -> Result<(), Failure> {
     listen();
     let reproduction = plateau::reproduce(Options::default(), &Bars::new(quiet));
-    if INTERRUPTED.load(Ordering::Relaxed) {
+    if interrupted() {
         return Err(Failure::Interrupted);
     }
     if json {
@@ -124,93 +237,4 @@ fn expectations(plan: &Plan, finished: &Finished, stdout: &mut impl Write) -> Re
         ));
     }
     Ok(missed.is_empty())
-}
-
-/// First Ctrl-C: end cleanly. Second: end at once.
-fn listen() {
-    let handler = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
-    if let Err(error) = handler {
-        say(&format!("warning: Ctrl-C will end the program at once: {error}"));
-    }
-}
-
-/// Progress bars on stderr, shown only on a terminal and only for work that lasts.
-struct Bars {
-    shown: bool,
-    bar: Mutex<Option<ProgressBar>>,
-}
-
-impl Bars {
-    fn new(quiet: bool) -> Self {
-        Self { shown: !quiet && std::io::stderr().is_terminal(), bar: Mutex::new(None) }
-    }
-
-    fn with(&self, act: impl FnOnce(&mut Option<ProgressBar>)) {
-        if let Ok(mut bar) = self.bar.lock() {
-            act(&mut bar);
-        }
-    }
-}
-
-/// The time left, from the first step on: before it nothing is known.
-fn left(state: &ProgressState, text: &mut dyn std::fmt::Write) {
-    if state.pos() > 0 {
-        // Text that cannot be written is a bar that cannot be shown.
-        let _ = write!(text, ", {:#} left", HumanDuration(state.eta()));
-    }
-}
-
-impl Progress for Bars {
-    fn begin(&self, what: &str, steps: Option<u64>) {
-        if !self.shown {
-            return;
-        }
-        let style = ProgressStyle::with_template(match steps {
-            Some(_) => "{prefix} {wide_bar} {pos} of {len} {msg}{left}",
-            None => "{spinner} {prefix}: {elapsed} so far {msg}",
-        });
-        let bar = ProgressBar::with_draw_target(steps, ProgressDrawTarget::stderr_with_hz(10));
-        let bar = style
-            .map(|style| bar.clone().with_style(style.with_key("left", left)))
-            .unwrap_or(bar)
-            .with_prefix(what.to_owned());
-        bar.enable_steady_tick(Duration::from_millis(200));
-        self.with(|slot| *slot = Some(bar));
-    }
-
-    fn step(&self) {
-        if self.shown {
-            self.with(|slot| {
-                if let Some(bar) = slot {
-                    bar.inc(1);
-                }
-            });
-        }
-    }
-
-    fn tell(&self, state: &str) {
-        if self.shown {
-            self.with(|slot| {
-                if let Some(bar) = slot {
-                    bar.set_message(state.to_owned());
-                }
-            });
-        }
-    }
-
-    fn end(&self) {
-        self.with(|slot| {
-            if let Some(bar) = slot.take() {
-                bar.finish_and_clear();
-            }
-        });
-    }
-
-    fn cancelled(&self) -> bool {
-        INTERRUPTED.load(Ordering::Relaxed)
-    }
 }

@@ -35,6 +35,8 @@ pub(crate) enum Command {
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
+    /// Compute results again from the experiments in them, and compare every number
+    Verify(VerifyArguments),
     /// Reproduce the tables of the papers: every printed number beside ours
     Reproduce {
         /// Print the comparison as JSON instead of a table
@@ -86,6 +88,13 @@ pub(crate) struct RunArguments {
     /// Threads to use; by default one per processor. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+    /// Go on after an interruption: experiments whose results are there are not run again, finished search runs are taken
+    /// from checkpoints. The results are those of an undisturbed run
+    #[arg(long)]
+    pub(crate) resume: bool,
+    /// Least time between two checkpoints of finished search runs, in seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 1.0, value_parser = seconds)]
+    pub(crate) checkpoint_every: f64,
     /// Print each result.json on stdout instead of the table
     #[arg(long)]
     pub(crate) json: bool,
@@ -95,6 +104,23 @@ pub(crate) struct RunArguments {
     /// Instructions of the search: portable ones give the same bits on every processor
     #[arg(long, value_name = "SET", default_value = "auto")]
     pub(crate) arithmetic: Arithmetic,
+}
+
+/// What `verify` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct VerifyArguments {
+    /// Files result.json of `plateau run`
+    #[arg(required = true, value_name = "RESULT")]
+    pub(crate) results: Vec<PathBuf>,
+    /// Threads to use; by default one per processor. The results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Print the comparison as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// No progress on stderr
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
 }
 
 /// What `export` takes.
@@ -118,6 +144,14 @@ pub(crate) struct ExportArguments {
     /// The file to write, for a single method; by default files beside the result, named after their methods
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+}
+
+/// A time that is no more than a year.
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if (0.0..=3.2e7).contains(&seconds) => Ok(seconds),
+        _ => Err("this is no number of seconds from 0 to 3.2e7".to_owned()),
+    }
 }
 
 /// A share of something: above 0, at most 1.
@@ -225,6 +259,15 @@ pub(crate) fn read_plans(files: &[PathBuf]) -> Result<Vec<Plan>, Failure> {
         }
     }
     if plans.len() == files.len() { Ok(plans) } else { Err(Failure::Input) }
+}
+
+/// The threads that were asked for.
+pub(crate) fn start_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global().map_err(|error| {
+        say(&format!("error: {threads} threads cannot be started: {error}"));
+        Failure::Input
+    })
 }
 
 /// Two files whose results would lie in the same folder are bad usage.

@@ -38,6 +38,16 @@ pub struct Delivered {
     pub refusals: Vec<ExportError>,
 }
 
+/// Makes the folder of an experiment ready: it is there, files can be made in it, and what killed runs left half-written in
+/// it is gone. To be called before the experiment is run: what cannot be kept need not be computed.
+///
+/// # Errors
+/// [`DeliverError`] names the folder.
+pub fn prepare(plan: &Plan, out: &Path) -> Result<(), DeliverError> {
+    let folder = out.join(&plan.stem);
+    atomic::prepare(&folder).map_err(|source| DeliverError { path: folder, source })
+}
+
 /// Writes `out/<stem>/result.json` and the files the plan asks for, each whole or not at all; `result.json` last, so that
 /// a folder that has it is complete.
 ///
@@ -69,7 +79,10 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
                         record.add_file(k, file, form);
                     }
                     Err(ExportError::Failed(error)) => return Err(error),
-                    Err(refusal) => refusals.push(refusal),
+                    Err(refusal) => {
+                        record.add_unwritten(&file);
+                        refusals.push(refusal);
+                    }
                 }
             }
         }
@@ -94,6 +107,9 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
         }
         Ok(())
     })();
+    if let Err(DeliverError { path, .. }) = &files {
+        record.add_unwritten(&path.file_name().unwrap_or_default().to_string_lossy());
+    }
     write("result.json", &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
     files?;
     Ok(Delivered { folder, record, notes, refusals })

@@ -7,9 +7,13 @@ use clap::Parser;
 
 use command::{Arguments, Command, Failure, say};
 
+mod bars;
 mod batch;
 mod command;
 mod conversion;
+mod interrupt;
+mod outlet;
+mod verify;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -34,6 +38,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Run(arguments) => batch::run(&arguments, stdout),
         Command::Check { files } => command::check(&files, stdout),
         Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
+        Command::Verify(arguments) => verify::results(&arguments, stdout),
         Command::Import { file, degree } => conversion::import(&file, degree, stdout),
         Command::Export(arguments) => conversion::export(&arguments, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),

@@ -3,8 +3,8 @@
 use serde::Serialize;
 use surfaces::{Net, TriangleNet};
 
-use crate::run::{Finished, MethodResult};
-use crate::{SearchOutcome, SearchRun, Surface, SurfaceForm};
+use crate::run::{Finished, MethodResult, Missed};
+use crate::{Manifest, SearchOutcome, SearchRun, Surface, SurfaceForm};
 
 mod curve;
 mod pieces;
@@ -27,6 +27,22 @@ pub struct ResultFile {
     curve: Option<CurveEntry>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
+    /// The numbers of the file that were not met.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    missed: Vec<MissedEntry>,
+    /// Files that were asked for and are not there.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unwritten: Vec<String>,
+    manifest: Manifest,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct MissedEntry {
+    method: String,
+    quantity: String,
+    expected: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    found: Option<f64>,
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -184,6 +200,9 @@ impl ResultFile {
             methods,
             curve: finished.curve.as_ref().map(CurveEntry::new),
             warnings: finished.warnings.clone(),
+            missed: finished.missed().into_iter().map(missed_entry).collect(),
+            unwritten: Vec::new(),
+            manifest: finished.manifest.clone(),
         }
     }
 
@@ -193,6 +212,11 @@ impl ResultFile {
             let (deviation, description) = form.map_or((None, None), |f| (f.deviation, Some(f.description)));
             entry.files.push(FileEntry { file, deviation, description });
         }
+    }
+
+    /// Records a file that was asked for and could not be written.
+    pub(crate) fn add_unwritten(&mut self, file: &str) {
+        self.unwritten.push(file.to_owned());
     }
 
     /// The text of the file: indented JSON with a final line break.
@@ -208,6 +232,15 @@ impl ResultFile {
 
 fn finite(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
+}
+
+fn missed_entry(missed: Missed) -> MissedEntry {
+    MissedEntry {
+        method: missed.method,
+        quantity: missed.expected.quantity.to_string(),
+        expected: missed.expected.text,
+        found: missed.ours.and_then(finite),
+    }
 }
 
 fn method_entry(result: &MethodResult) -> MethodEntry {

@@ -46,9 +46,7 @@ pub enum ReadError {
         found: String,
     },
     /// A key that is needed.
-    #[error(
-        "`{key}` is missing: results of early versions lack it; run the experiment again to have one that can be exported"
-    )]
+    #[error("`{key}` is missing: results of early versions lack it; run the experiment again to have it")]
     Missing {
         /// The key, from the root.
         key: String,
@@ -130,12 +128,7 @@ impl StoredResult {
     /// # Errors
     /// [`ReadError`]; the file itself is not named in it.
     pub fn read(path: &Path) -> Result<Self, ReadError> {
-        let mut bytes = Vec::new();
-        File::open(path)?.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
-        if bytes.len() as u64 > LARGEST_FILE {
-            return Err(ReadError::TooLarge);
-        }
-        Self::parse(&bytes)
+        Self::parse(&contents(path)?)
     }
 
     /// Reads the bytes of a file.
@@ -145,10 +138,7 @@ impl StoredResult {
     pub fn parse(bytes: &[u8]) -> Result<Self, ReadError> {
         let record: Record = serde_json::from_slice(bytes)
             .map_err(|source| ReadError::Json { place: String::new(), source })?;
-        let schema = required(record.schema, "schema")?;
-        if schema != SCHEMA {
-            return Err(ReadError::Schema { found: schema.chars().take(80).collect() });
-        }
+        check_schema(record.schema)?;
         let title = required(record.title, "title")?;
         let entries = required(record.methods, "methods")?;
         let name = |(k, entry): (usize, &Entry)| required(entry.name.clone(), &format!("methods[{k}].name"));
@@ -164,6 +154,13 @@ impl StoredResult {
         }
         Ok(Self { title, methods })
     }
+}
+
+/// The bytes of a file that may be a result.
+pub(crate) fn contents(path: &Path) -> Result<Vec<u8>, ReadError> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LARGEST_FILE { Err(ReadError::TooLarge) } else { Ok(bytes) }
 }
 
 impl StoredMethod {
@@ -315,7 +312,12 @@ fn families(family: Family, entry: &PieceEntry) -> Result<[Arc<dyn Basis>; 2], B
     })
 }
 
-fn required<T>(value: Option<T>, key: &str) -> Result<T, ReadError> {
+pub(crate) fn check_schema(found: Option<String>) -> Result<(), ReadError> {
+    let found = required(found, "schema")?;
+    if found == SCHEMA { Ok(()) } else { Err(ReadError::Schema { found: found.chars().take(80).collect() }) }
+}
+
+pub(crate) fn required<T>(value: Option<T>, key: &str) -> Result<T, ReadError> {
     value.ok_or_else(|| ReadError::Missing { key: key.into() })
 }
 

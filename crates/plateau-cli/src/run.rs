@@ -4,8 +4,8 @@ use crate::curve;
 use crate::helicoid::{helicoids, trapezium};
 use crate::method::{self, Context};
 use crate::{
-    Arithmetic, BoundaryFigures, ClosedForm, CurveResult, Expected, Experiment, Figures, Method, MethodError,
-    Plan, Progress, Published, Quantity, Solved, Surface,
+    Arithmetic, BoundaryFigures, Checkpoint, ClosedForm, CurveResult, Expected, Experiment, Figures,
+    Manifest, Method, MethodError, Plan, Progress, Published, Quantity, Solved, Surface,
 };
 
 /// Choices that are not part of the experiment.
@@ -25,6 +25,8 @@ pub struct Finished {
     pub title: String,
     /// The seed used.
     pub seed: u64,
+    /// What the numbers depend on.
+    pub manifest: Manifest,
     /// One entry per method, in the order of the file.
     pub methods: Vec<MethodResult>,
     /// The sampled curve, of curve experiments; they have no methods.
@@ -81,12 +83,29 @@ pub struct Missed {
 /// # Errors
 /// As for a method, of the one curve of a curve experiment.
 pub fn run(plan: &Plan, options: Options, progress: &dyn Progress) -> Result<Finished, MethodError> {
+    run_kept(plan, options, progress, None)
+}
+
+/// As [`run()`], with the runs of searches that `checkpoint` holds taken from there, and those that end kept there. The
+/// result is the same bit for bit, whatever the checkpoint held, if its manifest is that of `plan` and `options`.
+///
+/// # Errors
+/// As [`run()`].
+pub fn run_kept(
+    plan: &Plan,
+    options: Options,
+    progress: &dyn Progress,
+    checkpoint: Option<&Checkpoint>,
+) -> Result<Finished, MethodError> {
     let (title, seed) = (plan.title.clone(), options.seed.unwrap_or(plan.seed));
-    let mut finished = Finished { title, seed, methods: Vec::new(), curve: None, warnings: Vec::new() };
+    let manifest = Manifest::new(plan, options);
+    let mut finished =
+        Finished { title, seed, manifest, methods: Vec::new(), curve: None, warnings: Vec::new() };
     let mesh = plan.output.mesh;
     match &plan.experiment {
         Experiment::Patch(experiment) => {
-            let context = Context { experiment, seed, arithmetic: options.arithmetic, progress };
+            let arithmetic = options.arithmetic;
+            let context = Context { experiment, index: 0, checkpoint, seed, arithmetic, progress };
             finished.methods = patches(&context, mesh);
         }
         Experiment::Helicoid(helicoid) => finished.methods = helicoids(helicoid, mesh, progress),
@@ -101,16 +120,19 @@ pub fn run(plan: &Plan, options: Options, progress: &dyn Progress) -> Result<Fin
 }
 
 fn patches(context: &Context<'_>, mesh: usize) -> Vec<MethodResult> {
-    let result = |method: &Method| MethodResult {
+    let result = |(index, method): (usize, &Method)| MethodResult {
         name: method.name.clone(),
-        outcome: run_method(method, context, mesh).map(Box::new),
+        outcome: run_method(method, &Context { index, ..*context }, mesh).map(Box::new),
         expect: method.expect.clone(),
         published: method.published.clone(),
     };
-    context.experiment.methods.iter().map(result).collect()
+    context.experiment.methods.iter().enumerate().map(result).collect()
 }
 
 fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Done, MethodError> {
+    if context.progress.cancelled() {
+        return Err(MethodError::Interrupted);
+    }
     let solved = method::solve(method, context)?;
     context.progress.begin(&format!("figures of {}", method.name), None);
     let mesh = solved.surface.mesh(mesh);
@@ -149,6 +171,11 @@ impl Finished {
             .iter()
             .flat_map(|curve| curve.expect.iter().map(|e| ("curve", e, curve.figure(e.quantity))));
         of_methods.chain(of_curve)
+    }
+
+    /// Whether the caller's wish to end left something undone.
+    pub fn was_interrupted(&self) -> bool {
+        self.failures().any(|(_, error)| matches!(error, MethodError::Interrupted))
     }
 
     /// The methods that failed, with their errors.

@@ -75,9 +75,32 @@ pub(crate) fn write(
     tolerance: f64,
     path: &Path,
 ) -> Result<Option<SurfaceForm>, ExportError> {
+    encode(format, subject, (surface, family), tolerance, path, &|fill| atomic::write(path, fill))
+}
+
+/// As [`write`], but nothing is written: what the file would hold.
+pub(crate) fn rehearse(
+    format: Format,
+    subject: &Subject<'_>,
+    solved: (&Surface, Family),
+    tolerance: f64,
+) -> Result<Option<SurfaceForm>, ExportError> {
+    encode(format, subject, solved, tolerance, Path::new(""), &|fill| fill(&mut io::sink()))
+}
+
+type Fill<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
+
+fn encode(
+    format: Format,
+    subject: &Subject<'_>,
+    (surface, family): (&Surface, Family),
+    tolerance: f64,
+    path: &Path,
+    place: &dyn Fn(Fill<'_>) -> io::Result<()>,
+) -> Result<Option<SurfaceForm>, ExportError> {
     let refused = |reason: String| -> ExportError { ExportError::Refused { path: path.to_owned(), reason } };
-    let put = |fill: &dyn Fn(&mut dyn Write) -> io::Result<()>| {
-        atomic::write(path, fill).map_err(|source| match source.kind() {
+    let put = |fill: Fill<'_>| {
+        place(fill).map_err(|source| match source.kind() {
             // The writers say so of what their format cannot hold.
             ErrorKind::InvalidData => refused(source.to_string()),
             _ => DeliverError { path: path.to_owned(), source }.into(),

@@ -20,8 +20,8 @@ pub use error::MethodError;
 pub use search::{SearchOutcome, SearchRun};
 
 use crate::{
-    Arithmetic, Basis, Boundary, Energy, Family, Interior, Mask, Method, Patch, PatchExperiment, Progress,
-    Shape,
+    Arithmetic, Basis, Boundary, Checkpoint, Energy, Family, Interior, Mask, Method, Patch, PatchExperiment,
+    Progress, Shape,
 };
 
 /// The patch a method found, with what is known of the way to it.
@@ -107,9 +107,14 @@ impl Surface {
     }
 }
 
-/// What all methods of an experiment share while they run.
+/// What a method sees of its experiment while it runs.
+#[derive(Clone, Copy)]
 pub(crate) struct Context<'a> {
     pub(crate) experiment: &'a PatchExperiment,
+    /// Which method of the experiment this is.
+    pub(crate) index: usize,
+    /// Where runs of searches that have ended are kept.
+    pub(crate) checkpoint: Option<&'a Checkpoint>,
     pub(crate) seed: u64,
     pub(crate) arithmetic: Arithmetic,
     pub(crate) progress: &'a dyn Progress,

@@ -3,11 +3,12 @@
 use std::ops::ControlFlow;
 
 use optim::{Bounds, Observer, Polish, Polished, Pso, Reason, Topology};
+use rayon::prelude::*;
 use surfaces::Net;
 
 use super::reduced::Reduced;
 use super::{Context, MethodError};
-use crate::{Method, Progress, SearchMode, Variant};
+use crate::{Method, SearchMode, Variant};
 
 /// What a search found.
 #[derive(Debug, Clone)]
@@ -51,7 +52,7 @@ pub struct SearchRun {
     pub history: Vec<f64>,
     /// The polish of the swarm's best point, or the descent from a start.
     pub polish: Option<Polished>,
-    on_budget: bool,
+    pub(crate) on_budget: bool,
 }
 
 impl SearchRun {
@@ -76,6 +77,89 @@ impl SearchOutcome {
     }
 }
 
+/// What all runs of a search share.
+struct Search<'a> {
+    reduced: &'a Reduced<'a>,
+    bounds: &'a Bounds,
+    mode: SearchMode,
+    context: &'a Context<'a>,
+}
+
+impl Search<'_> {
+    /// Every run that found something, in order, and the evaluations of all.
+    fn runs(&self, method: &Method) -> Result<(Vec<SearchRun>, u64), MethodError> {
+        let (options, progress) = (&self.context.experiment.search, self.context.progress);
+        let kept = |k| self.context.checkpoint?.run(self.context.index, k);
+        let kept: Vec<Option<SearchRun>> = (0..options.runs).map(kept).collect();
+        let ahead = kept.iter().filter(|run| run.is_none()).count() as u64;
+        let pso = self.swarm();
+        match self.mode {
+            SearchMode::Polish => {
+                Polish::default().validate_starts(4, self.bounds, options.runs)?;
+                progress.begin(&format!("descending for {}", method.name), Some(ahead));
+            }
+            SearchMode::Pso | SearchMode::PsoPolish => {
+                pso.validate_search(4, self.bounds, options.runs)?;
+                let steps = ahead * (options.iterations as u64 + 1);
+                progress.begin(&format!("searching for {}", method.name), Some(steps));
+            }
+        }
+        let run = |(k, kept): (usize, Option<SearchRun>)| match kept {
+            Some(run) => Ok((run.evaluations, Some(run))),
+            None => self.run(&pso, k),
+        };
+        let ended: Vec<(u64, Option<SearchRun>)> =
+            kept.into_par_iter().enumerate().map(run).collect::<Result<_, MethodError>>()?;
+        let evaluations = ended.iter().map(|(evaluations, _)| evaluations).sum();
+        Ok((ended.into_iter().filter_map(|(_, run)| run).collect(), evaluations))
+    }
+
+    /// One run and its evaluations; seed and index determine it.
+    fn run(&self, pso: &Pso, k: usize) -> Result<(u64, Option<SearchRun>), MethodError> {
+        let (polish, seed) = (Polish::default(), self.context.seed);
+        let mut run = match self.mode {
+            SearchMode::Polish => {
+                let run = from_descent(seed, k, polish.run_start(self.reduced, self.bounds, k, seed)?);
+                self.context.progress.step();
+                run
+            }
+            SearchMode::Pso | SearchMode::PsoPolish => {
+                let report = pso.run(self.reduced, self.bounds, k, &Watch(self.context))?;
+                match from_swarm(&report) {
+                    Some(run) => run,
+                    None => return Ok((report.evaluations, None)),
+                }
+            }
+        };
+        if self.mode == SearchMode::PsoPolish {
+            run.polish_with(polish.run(self.reduced, self.bounds, &run.shape)?);
+        }
+        // What was cut short is no finished run.
+        if let Some(checkpoint) = self.context.checkpoint
+            && !self.context.progress.cancelled()
+        {
+            checkpoint.keep(self.context.index, &run);
+        }
+        Ok((run.evaluations, Some(run)))
+    }
+
+    fn swarm(&self) -> Pso {
+        let options = &self.context.experiment.search;
+        Pso {
+            particles: options.particles,
+            iterations: options.iterations,
+            inertia: options.inertia,
+            social: options.social,
+            cognitive: options.cognitive,
+            topology: match options.variant {
+                Variant::Global => Topology::Global,
+                Variant::Local { neighbours } => Topology::Ring { neighbours },
+            },
+            ..Pso::new(self.context.seed)
+        }
+    }
+}
+
 /// Searches the shape of `method` over `net`.
 pub(super) fn search(
     net: &Net,
@@ -86,49 +170,16 @@ pub(super) fn search(
     let options = &context.experiment.search;
     let reduced = Reduced::new(net, method, context.arithmetic, context.progress)?;
     let bounds = Bounds::cube(4, options.lower, options.upper)?;
-    let (polish, watch) = (Polish::default(), Watch(context.progress));
-    let runs: Vec<SearchRun> = match mode {
-        SearchMode::Polish => {
-            context.progress.begin(&format!("descending for {}", method.name), Some(options.runs as u64));
-            let descents = polish.run_starts(&reduced, &bounds, options.runs, context.seed)?;
-            descents.into_iter().enumerate().map(|(k, p)| from_descent(context.seed, k, p)).collect()
-        }
-        SearchMode::Pso | SearchMode::PsoPolish => {
-            let pso = Pso {
-                particles: options.particles,
-                iterations: options.iterations,
-                inertia: options.inertia,
-                social: options.social,
-                cognitive: options.cognitive,
-                topology: match options.variant {
-                    Variant::Global => Topology::Global,
-                    Variant::Local { neighbours } => Topology::Ring { neighbours },
-                },
-                ..Pso::new(context.seed)
-            };
-            let steps = options.runs as u64 * (options.iterations as u64 + 1);
-            context.progress.begin(&format!("searching for {}", method.name), Some(steps));
-            let found = pso.search(&reduced, &bounds, options.runs, &watch)?;
-            let mut runs: Vec<SearchRun> = found.runs.iter().filter_map(from_swarm).collect();
-            if mode == SearchMode::PsoPolish {
-                for run in &mut runs {
-                    run.polish_with(&polish, &reduced, &bounds)?;
-                }
-            }
-            if runs.is_empty() {
-                context.progress.end();
-                return Err(MethodError::NothingFound { evaluations: found.evaluations() });
-            }
-            runs
-        }
-    };
+    let search = Search { reduced: &reduced, bounds: &bounds, mode, context };
+    let runs = search.runs(method);
     context.progress.end();
+    let (runs, evaluations) = runs?;
     if context.progress.cancelled() {
         return Err(MethodError::Interrupted);
     }
     let best = runs.iter().reduce(|best, run| if run.value < best.value { run } else { best });
     let Some(best) = best.filter(|best| best.value.is_finite()) else {
-        return Err(MethodError::NothingFound { evaluations: runs.iter().map(|r| r.evaluations).sum() });
+        return Err(MethodError::NothingFound { evaluations });
     };
     Ok(SearchOutcome {
         shape: best.shape,
@@ -177,29 +228,25 @@ fn from_descent(seed: u64, index: usize, polished: Polished) -> SearchRun {
 }
 
 impl SearchRun {
-    /// Descends from the best point; what the run ended with is then a stationary point, not a spent budget.
-    fn polish_with(
-        &mut self,
-        polish: &Polish,
-        reduced: &Reduced<'_>,
-        bounds: &Bounds,
-    ) -> Result<(), MethodError> {
-        let polished = polish.run(reduced, bounds, &self.shape)?;
+    /// Takes the descent from the best point; what the run ended with is then a stationary point, not a spent budget.
+    fn polish_with(&mut self, polished: Polished) {
         self.evaluations += polished.evaluations as u64;
         self.value = polished.value;
         self.shape = shape(&polished.point);
         self.on_budget = polished.reason == optim::PolishReason::Budget;
         self.polish = Some(polished);
-        Ok(())
     }
 }
 
 /// Passes the iterations of a swarm on to whoever watches.
-struct Watch<'a>(&'a dyn Progress);
+struct Watch<'a>(&'a Context<'a>);
 
 impl Observer for Watch<'_> {
     fn observe(&self, _: &optim::Progress<'_>) -> ControlFlow<()> {
-        self.0.step();
-        if self.0.cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        self.0.progress.step();
+        if let Some(checkpoint) = self.0.checkpoint {
+            checkpoint.tick();
+        }
+        if self.0.progress.cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

@@ -2,7 +2,6 @@
 
 mod data;
 mod figures;
-mod sha256;
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -47,10 +46,10 @@ pub(crate) fn page(
         let _ = writeln!(body, "<section>{comparisons}</section>");
     }
     body += &experiment_file(plan);
-    body += &section("Origin", &origin(plan, finished));
+    body += &section("Origin", &origin(finished));
     // Nothing is ever loaded: the policy makes the browser hold us to it.
     let policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
-    let (file, seed) = (Escaped(&plan.file), finished.seed);
+    let (file, seed) = (Escaped(&finished.manifest.file), finished.seed);
     let surfaces = data::json(scene);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -141,23 +140,27 @@ fn experiment_file(plan: &Plan) -> String {
 }
 
 /// What the numbers depend on.
-fn origin(plan: &Plan, finished: &Finished) -> String {
+fn origin(finished: &Finished) -> String {
     let searches: BTreeSet<String> = finished
         .methods
         .iter()
         .filter_map(|method| method.outcome.as_ref().ok()?.solved.search.as_ref())
         .map(|search| format!("{} evaluation, {} arithmetic", search.engine, search.arithmetic))
         .collect();
-    let mut entries = vec![
-        ("program", format!("plateau {}", env!("CARGO_PKG_VERSION"))),
-        ("experiment file", plan.file.clone()),
-        ("its SHA-256", sha256::sha256(plan.text.as_bytes())),
-        ("seed", finished.seed.to_string()),
-        ("machine", format!("{} {}", std::env::consts::ARCH, std::env::consts::OS)),
+    let (manifest, origin) = (&finished.manifest, &finished.manifest.origin);
+    let mut entries = vec![("program", format!("plateau {}", origin.version))];
+    let built = [
+        ("revision", &origin.revision),
+        ("compiler", &origin.toolchain),
+        ("SHA-256 of Cargo.lock", &origin.lockfile_sha256),
     ];
-    if let Some(revision) = option_env!("PLATEAU_REVISION") {
-        entries.insert(1, ("revision", revision.to_owned()));
-    }
+    entries.extend(built.into_iter().filter_map(|(name, value)| Some((name, value.clone()?))));
+    entries.extend([
+        ("experiment file", manifest.file.clone()),
+        ("its SHA-256", manifest.sha256.clone()),
+        ("seed", manifest.seed.to_string()),
+        ("machine", [std::slice::from_ref(&origin.machine), &origin.cpu_features].concat().join(" ")),
+    ]);
     if !searches.is_empty() {
         entries.push(("searches", searches.into_iter().collect::<Vec<_>>().join("; ")));
     }

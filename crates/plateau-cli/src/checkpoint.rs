@@ -1,0 +1,202 @@
+//! The finished runs of searches, kept on disk while an experiment lasts.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::sha256::sha256;
+use crate::{Manifest, SearchRun, atomic};
+
+mod record;
+
+use record::RunRecord;
+
+/// The name of the file in the folder of an experiment.
+pub const CHECKPOINT_FILE: &str = "checkpoint";
+
+/// The version of the layout.
+const SCHEMA: &str = "plateau-checkpoint/1";
+
+/// Largest size in bytes of a checkpoint that is read.
+const LARGEST_FILE: u64 = 1 << 30;
+
+/// Writing takes at most this share of the time: large checkpoints are written less often than the interval says.
+const SHARE_OF_TIME: u32 = 20;
+
+/// The finished runs of an experiment's searches, and the file they are kept in.
+///
+/// The file is written, whole or not at all, once a run has ended and `interval` has passed since it was written last, or
+/// since the experiment began: short searches never write. It belongs to one manifest; a run taken from it has the bits
+/// it was stored with.
+#[derive(Debug)]
+pub struct Checkpoint {
+    path: PathBuf,
+    manifest: Manifest,
+    interval: Duration,
+    unwritten: AtomicBool,
+    state: Mutex<State>,
+}
+
+#[derive(Debug)]
+struct State {
+    /// By index of the method and of the run.
+    runs: BTreeMap<(usize, usize), SearchRun>,
+    due: Instant,
+    problem: Option<io::Error>,
+}
+
+/// Why a checkpoint is not used.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum CheckpointError {
+    /// The file system.
+    #[error("it cannot be read: {0}")]
+    Io(#[from] io::Error),
+    /// Cut off, changed, or something else altogether.
+    #[error("it is damaged: {0}")]
+    Damaged(String),
+    /// Another experiment, seed or program.
+    #[error("it was written with another {}", .0.join(", "))]
+    Foreign(Vec<&'static str>),
+}
+
+#[derive(Serialize, Deserialize)]
+struct Record {
+    schema: String,
+    manifest: Manifest,
+    runs: Vec<RunRecord>,
+}
+
+impl Checkpoint {
+    /// A checkpoint in `folder`, with no runs; what is on disk is left alone until the first write.
+    pub fn new(folder: &Path, manifest: Manifest, interval: Duration) -> Self {
+        let state = State { runs: BTreeMap::new(), due: Instant::now() + interval, problem: None };
+        Self {
+            path: folder.join(CHECKPOINT_FILE),
+            manifest,
+            interval,
+            unwritten: AtomicBool::new(false),
+            state: Mutex::new(state),
+        }
+    }
+
+    /// Takes the runs of the file, if there is one; how many they are.
+    ///
+    /// # Errors
+    /// [`CheckpointError`]; the checkpoint then has no runs.
+    pub fn load(&self) -> Result<usize, CheckpointError> {
+        let mut bytes = Vec::new();
+        match fs::File::open(&self.path) {
+            Ok(file) => file.take(LARGEST_FILE).read_to_end(&mut bytes)?,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(0),
+            Err(error) => return Err(error.into()),
+        };
+        let record = parse(&bytes).map_err(CheckpointError::Damaged)?;
+        let differences = record.manifest.differences(&self.manifest);
+        if !differences.is_empty() {
+            return Err(CheckpointError::Foreign(differences));
+        }
+        let runs: Option<BTreeMap<_, _>> = record.runs.iter().map(RunRecord::run).collect();
+        let runs = runs.ok_or_else(|| CheckpointError::Damaged("a run in it is none".into()))?;
+        let count = runs.len();
+        self.lock().runs = runs;
+        Ok(count)
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// How many finished runs there are.
+    pub fn runs(&self) -> usize {
+        self.lock().runs.len()
+    }
+
+    /// Writes the file now, if there are runs that are not in it.
+    ///
+    /// # Errors
+    /// What the file system says; the old file is then untouched.
+    pub fn flush(&self) -> io::Result<()> {
+        if self.unwritten.load(Ordering::Relaxed) { self.write(&mut self.lock()) } else { Ok(()) }
+    }
+
+    /// Why the file could not be written, if it could not: the experiment goes on without.
+    pub fn problem(&self) -> Option<String> {
+        self.lock().problem.as_ref().map(ToString::to_string)
+    }
+
+    /// Removes the file, if there is one: the experiment is done.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn remove(&self) -> io::Result<()> {
+        match fs::remove_file(&self.path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    pub(crate) fn run(&self, method: usize, run: usize) -> Option<SearchRun> {
+        self.lock().runs.get(&(method, run)).cloned()
+    }
+
+    pub(crate) fn keep(&self, method: usize, run: &SearchRun) {
+        self.lock().runs.insert((method, run.index), run.clone());
+        self.unwritten.store(true, Ordering::Relaxed);
+        self.tick();
+    }
+
+    /// Writes the file if that is due. Cheap: to be called in every iteration.
+    pub(crate) fn tick(&self) {
+        if !self.unwritten.load(Ordering::Relaxed) {
+            return;
+        }
+        // Whoever holds the lock is writing, or about to come by here.
+        if let Ok(mut state) = self.state.try_lock()
+            && Instant::now() >= state.due
+        {
+            state.problem = self.write(&mut state).err();
+        }
+    }
+
+    fn write(&self, state: &mut State) -> io::Result<()> {
+        let start = Instant::now();
+        let runs = state.runs.iter().map(|(&(method, _), run)| RunRecord::new(method, run)).collect();
+        let record = Record { schema: SCHEMA.to_owned(), manifest: self.manifest.clone(), runs };
+        let outcome = serde_json::to_string(&record).map_err(io::Error::other).and_then(|body| {
+            let hash = sha256(body.as_bytes());
+            atomic::write(&self.path, |out| write!(out, "{hash}\n{body}\n"))
+        });
+        let end = Instant::now();
+        state.due = end + self.interval.max(SHARE_OF_TIME * (end - start));
+        if outcome.is_ok() {
+            self.unwritten.store(false, Ordering::Relaxed);
+        }
+        outcome
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State> {
+        // A panic elsewhere leaves whole runs behind.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The first line holds the hash of the second: nothing of a damaged file is believed.
+fn parse(bytes: &[u8]) -> Result<Record, String> {
+    let text = std::str::from_utf8(bytes).map_err(|_| "it is not text")?;
+    let (hash, body) = text.split_once('\n').ok_or("it is cut off")?;
+    let body = body.strip_suffix('\n').ok_or("it is cut off")?;
+    if sha256(body.as_bytes()) != hash {
+        return Err("its hash is not the one it states".into());
+    }
+    let record: Record = serde_json::from_str(body).map_err(|error| error.to_string())?;
+    if record.schema == SCHEMA { Ok(record) } else { Err(format!("its layout is {:?}", record.schema)) }
+}

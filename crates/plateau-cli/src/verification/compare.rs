@@ -1,0 +1,157 @@
+//! Two records, number by number.
+
+use serde_json::Value;
+
+use super::{Difference, Level, Verified};
+
+/// What was compared so far.
+#[derive(Default)]
+pub(super) struct Comparison {
+    compared: usize,
+    differences: Vec<Difference>,
+}
+
+/// The keys of a method that say something of its surface, with the power of the length in their unit.
+const FIGURES: [(&str, i32); 16] = [
+    ("patch", 0),
+    ("basis", 0),
+    ("dirichlet", 2),
+    ("area", 2),
+    ("laplacian_defect", 2),
+    ("bending", 2),
+    ("conformality_gap", 0),
+    ("mean_curvature", -1),
+    ("shape", 0),
+    ("net", 1),
+    ("domain", 0),
+    ("pieces", 1),
+    ("weights", 1),
+    ("deviation", 1),
+    ("boundary_deviation", 1),
+    ("harmonic_bound", 2),
+];
+
+/// Everything, bit for bit.
+pub(super) fn bits(stored: &Value, computed: &Value) -> Comparison {
+    let mut comparison = Comparison::default();
+    comparison.walk("", Some(stored), Some(computed), &|a, b| a.to_bits() == b.to_bits());
+    comparison
+}
+
+/// The figures and nets of a method within [`Level::TOLERANCE`] or [`Level::SEARCHED`].
+pub(super) fn figures(stored: &Value, computed: &Value) -> Comparison {
+    let mut comparison = Comparison::default();
+    let failed = [stored, computed].map(|method| method.get("error").is_some());
+    if failed != [false, false] {
+        let said = |method: &Value| Some(text(method.get("error").unwrap_or(&Value::Null)));
+        comparison.compared += 1;
+        if failed != [true, true] {
+            comparison.differ("error", said(stored), said(computed));
+        }
+        return comparison;
+    }
+    let minimum = computed.pointer("/search/minimum").and_then(Value::as_f64);
+    let searched = minimum.is_some() || computed.get("area_extremal").is_some();
+    let minimised = match minimum {
+        Some(minimum) => minimum,
+        None => computed.get("area").and_then(Value::as_f64).unwrap_or(f64::NAN),
+    };
+    let size = size(computed);
+    for (key, power) in FIGURES {
+        let (theirs, ours) = (stored.get(key), computed.get(key));
+        let is_minimum =
+            ours.and_then(Value::as_f64).is_some_and(|x| close(x, minimised, Level::TOLERANCE, 0.0));
+        let tolerance = if searched && !is_minimum { Level::SEARCHED } else { Level::TOLERANCE };
+        // The zeros of a net are zeros of its size.
+        let floor = size.powi(power) * if key == "net" || key == "pieces" { 1.0 } else { 1e-3 };
+        comparison.walk(key, theirs, ours, &|a, b| close(a, b, tolerance, floor));
+    }
+    let found = [stored, computed].map(|method| method.pointer("/search/minimum"));
+    comparison.walk("search.minimum", found[0], found[1], &|a, b| close(a, b, Level::TOLERANCE, 0.0));
+    comparison
+}
+
+/// The lists of a curve, each within [`Level::TOLERANCE`] of its largest number.
+pub(super) fn curve(stored: &Value, computed: &Value) -> Comparison {
+    let mut comparison = Comparison::default();
+    for key in ["name", "length", "t", "basis", "basis_d1", "basis_d2", "point", "d1", "d2", "curvature"] {
+        let (theirs, ours) = (stored.get(key), computed.get(key));
+        let floor = ours.map_or(0.0, largest);
+        comparison.walk(key, theirs, ours, &|a, b| close(a, b, Level::TOLERANCE, floor));
+    }
+    comparison
+}
+
+fn close(a: f64, b: f64, tolerance: f64, floor: f64) -> bool {
+    (a - b).abs() <= tolerance * a.abs().max(b.abs()) + tolerance * floor
+}
+
+/// The largest coordinate of a method's nets; 1 if it has none.
+fn size(method: &Value) -> f64 {
+    let nets = ["net", "pieces"].iter().filter_map(|key| method.get(key));
+    let size = nets.map(largest).fold(0.0, f64::max);
+    if size > 0.0 { size } else { 1.0 }
+}
+
+fn largest(value: &Value) -> f64 {
+    match value {
+        Value::Array(items) => items.iter().map(largest).fold(0.0, f64::max),
+        Value::Object(items) => items.values().map(largest).fold(0.0, f64::max),
+        value => value.as_f64().map_or(0.0, f64::abs),
+    }
+}
+
+fn text(value: &Value) -> String {
+    match value {
+        Value::Array(items) => format!("a list of {}", items.len()),
+        Value::Object(_) => "a table".into(),
+        value => value.to_string(),
+    }
+}
+
+impl Comparison {
+    pub(super) fn named(self, name: String) -> Verified {
+        Verified { name, compared: self.compared, differences: self.differences }
+    }
+
+    fn differ(&mut self, key: &str, stored: Option<String>, computed: Option<String>) {
+        self.differences.push(Difference { key: key.into(), stored, computed });
+    }
+
+    fn walk(
+        &mut self,
+        key: &str,
+        stored: Option<&Value>,
+        computed: Option<&Value>,
+        same: &dyn Fn(f64, f64) -> bool,
+    ) {
+        match (stored, computed) {
+            (None, None) => {}
+            (Some(Value::Object(theirs)), Some(Value::Object(ours))) => {
+                let more = theirs.keys().filter(|key| !ours.contains_key(*key));
+                for name in ours.keys().chain(more) {
+                    let key = if key.is_empty() { name.clone() } else { format!("{key}.{name}") };
+                    self.walk(&key, theirs.get(name), ours.get(name), same);
+                }
+            }
+            (Some(Value::Array(theirs)), Some(Value::Array(ours))) if theirs.len() == ours.len() => {
+                for (k, (theirs, ours)) in theirs.iter().zip(ours).enumerate() {
+                    self.walk(&format!("{key}[{k}]"), Some(theirs), Some(ours), same);
+                }
+            }
+            (theirs, ours) => {
+                self.compared += 1;
+                let equal = match (theirs, ours) {
+                    // Counts are compared as such, for they may exceed what a floating-point number holds.
+                    (Some(Value::Number(a)), Some(Value::Number(b))) if a.is_f64() || b.is_f64() => {
+                        a.as_f64().zip(b.as_f64()).is_some_and(|(a, b)| same(a, b))
+                    }
+                    (theirs, ours) => theirs == ours,
+                };
+                if !equal {
+                    self.differ(key, theirs.map(text), ours.map(text));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! `verify`: results computed again and compared.
+
+use std::io::Write;
+use std::path::Path;
+
+use plateau::{Level, ReadError, Verification, VerifyError, verify};
+
+use crate::bars::Bars;
+use crate::command::{Failure, VerifyArguments, say, start_threads};
+use crate::interrupt::listen;
+
+/// Most differences of a method that are printed.
+const SHOWN: usize = 5;
+
+/// Verifies every file; the worst outcome is the status.
+pub(crate) fn results(arguments: &VerifyArguments, stdout: &mut impl Write) -> Result<(), Failure> {
+    start_threads(arguments.threads)?;
+    listen();
+    let bars = Bars::new(arguments.quiet);
+    let (mut readable, mut equal) = (true, true);
+    for (k, path) in arguments.results.iter().enumerate() {
+        match verify(path, &bars) {
+            Ok(verification) => {
+                equal &= verification.agrees();
+                if arguments.json {
+                    json(path, &verification, stdout)?;
+                } else {
+                    if k > 0 {
+                        writeln!(stdout)?;
+                    }
+                    report(path, &verification, stdout)?;
+                }
+                stdout.flush()?;
+            }
+            Err(VerifyError::Interrupted) => return Err(Failure::Interrupted),
+            Err(error) => {
+                let help = match error {
+                    VerifyError::Read(ReadError::Missing { .. }) => "",
+                    VerifyError::Read(ReadError::Json { .. }) => {
+                        "; verify takes a result.json of `plateau run`"
+                    }
+                    _ => "",
+                };
+                say(&format!("error: {}: {error}{help}", path.display()));
+                readable = false;
+            }
+        }
+    }
+    match (readable, equal) {
+        (true, true) => Ok(()),
+        (true, false) => Err(Failure::Result),
+        (false, _) => Err(Failure::Input),
+    }
+}
+
+fn json(path: &Path, verification: &Verification, stdout: &mut impl Write) -> Result<(), Failure> {
+    let mut value = serde_json::to_value(verification).map_err(std::io::Error::other)?;
+    value["schema"] = "plateau-verification/1".into();
+    value["result"] = path.to_string_lossy().into();
+    value["equal"] = verification.agrees().into();
+    serde_json::to_writer_pretty(&mut *stdout, &value).map_err(std::io::Error::other)?;
+    Ok(writeln!(stdout)?)
+}
+
+/// Words as a list that begins a sentence.
+fn list(words: &[&str]) -> String {
+    match words.split_last() {
+        Some((last, [])) => format!("{last} here"),
+        Some((last, rest)) => format!("{} and {last} here", rest.join(", ")),
+        None => String::new(),
+    }
+}
+
+fn report(path: &Path, verification: &Verification, stdout: &mut impl Write) -> Result<(), Failure> {
+    writeln!(stdout, "{}: {}", path.display(), verification.title)?;
+    match &verification.level {
+        Level::Bits => {
+            writeln!(stdout, "compared bit for bit: this program and this kind of processor wrote it")?
+        }
+        Level::Figures { because } => {
+            let (tolerance, searched) = (Level::TOLERANCE, Level::SEARCHED);
+            writeln!(
+                stdout,
+                "{} differ from those it was written with: figures and nets are compared within {tolerance:e}, those a search led to \
+                 within {searched:e}",
+                list(because)
+            )?
+        }
+    }
+    let width = verification.entries.iter().map(|entry| entry.name.chars().count()).max().unwrap_or(0);
+    let word = if verification.level == Level::Bits { "equal" } else { "agrees" };
+    for entry in &verification.entries {
+        let (name, all) = (&entry.name, entry.compared);
+        let values = if all == 1 { "1 value".into() } else { format!("{all} values") };
+        match entry.differences.len() {
+            0 => writeln!(stdout, "  {name:width$}  {word}, {values}")?,
+            differing => writeln!(stdout, "  {name:width$}  DIFFERS in {differing} of {values}")?,
+        }
+        for difference in entry.differences.iter().take(SHOWN) {
+            let said = |value: &Option<String>| value.clone().unwrap_or_else(|| "nothing".into());
+            let (stored, computed) = (said(&difference.stored), said(&difference.computed));
+            writeln!(stdout, "      {}: the file has {stored}, computed is {computed}", difference.key)?;
+        }
+        if let Some(more @ 1..) = entry.differences.len().checked_sub(SHOWN) {
+            writeln!(stdout, "      and {more} more")?;
+        }
+    }
+    Ok(())
+}
