@@ -11,6 +11,18 @@ example:
 test:
     cargo test --workspace --release
 
+# SIGKILL at 200 random moments of a batch: nothing finished is lost, resumed runs have the bytes of undisturbed ones. Two minutes.
+kill:
+    cargo test --release -p plateau-cli --test crashes -- --ignored --nocapture
+
+# The same bytes for 1 to 16 threads, 20 seeds, 3 fixtures. A minute.
+repeat:
+    cargo test --release -p plateau-cli --test reproducibility -- --ignored --nocapture
+
+# How often the swarm finds known minima, 100 seeds each.
+success-rates:
+    cargo run --release -p optim --example success_rates
+
 # Everything CI checks.
 ci:
     bash .ci/run

@@ -33,7 +33,7 @@ const SHARE_OF_TIME: u32 = 20;
 /// The finished runs of an experiment's searches, and the file they are kept in.
 ///
 /// The file is written, whole or not at all, once a run has ended and `interval` has passed since it was written last, or
-/// since the experiment began: short searches never write. It belongs to one manifest; a run taken from it has the bits
+/// since the experiment began: short searches never write. Once there is a file, it is completed when a search ends. It belongs to one manifest; a run taken from it has the bits
 /// it was stored with.
 #[derive(Debug)]
 pub struct Checkpoint {
@@ -49,6 +49,7 @@ struct State {
     /// By index of the method and of the run.
     runs: BTreeMap<(usize, usize), SearchRun>,
     due: Instant,
+    written: bool,
     problem: Option<io::Error>,
 }
 
@@ -77,7 +78,8 @@ struct Record {
 impl Checkpoint {
     /// A checkpoint in `folder`, with no runs; what is on disk is left alone until the first write.
     pub fn new(folder: &Path, manifest: Manifest, interval: Duration) -> Self {
-        let state = State { runs: BTreeMap::new(), due: Instant::now() + interval, problem: None };
+        let state =
+            State { runs: BTreeMap::new(), due: Instant::now() + interval, written: false, problem: None };
         Self {
             path: folder.join(CHECKPOINT_FILE),
             manifest,
@@ -149,9 +151,10 @@ impl Checkpoint {
     }
 
     pub(crate) fn keep(&self, method: usize, run: &SearchRun) {
-        self.lock().runs.insert((method, run.index), run.clone());
+        let mut state = self.lock();
+        state.runs.insert((method, run.index), run.clone());
         self.unwritten.store(true, Ordering::Relaxed);
-        self.tick();
+        self.write_if_due(&mut state);
     }
 
     /// Writes the file if that is due. Cheap: to be called in every iteration.
@@ -159,11 +162,25 @@ impl Checkpoint {
         if !self.unwritten.load(Ordering::Relaxed) {
             return;
         }
-        // Whoever holds the lock is writing, or about to come by here.
-        if let Ok(mut state) = self.state.try_lock()
-            && Instant::now() >= state.due
-        {
-            state.problem = self.write(&mut state).err();
+        // Whoever holds the lock writes if that is due.
+        if let Ok(mut state) = self.state.try_lock() {
+            self.write_if_due(&mut state);
+        }
+    }
+
+    /// A search is over, and it may be long until the next iteration of another: where there is a file already, it is
+    /// completed at once.
+    pub(crate) fn search_ended(&self) {
+        let mut state = self.lock();
+        if self.unwritten.load(Ordering::Relaxed) && state.written {
+            state.due = Instant::now();
+        }
+        self.write_if_due(&mut state);
+    }
+
+    fn write_if_due(&self, state: &mut State) {
+        if self.unwritten.load(Ordering::Relaxed) && Instant::now() >= state.due {
+            state.problem = self.write(state).err();
         }
     }
 
@@ -179,6 +196,7 @@ impl Checkpoint {
         state.due = end + self.interval.max(SHARE_OF_TIME * (end - start));
         if outcome.is_ok() {
             self.unwritten.store(false, Ordering::Relaxed);
+            state.written = true;
         }
         outcome
     }

@@ -21,8 +21,8 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 }
 
-const EXIT_STATUS: &str = "Exit status: 0 done; 1 it ran, but an expected number was missed or a solve failed; \
-                           2 bad usage or bad input.";
+const EXIT_STATUS: &str = "Exit status: 0 done; 1 it ran, but an expected number was missed, a solve failed or a \
+                           verified result differs; 2 bad usage or bad input; 130 interrupted.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]

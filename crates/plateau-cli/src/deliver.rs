@@ -14,6 +14,9 @@ use crate::run::{Done, Finished};
 use crate::scene::Scene;
 use crate::{Format, Plan, atomic, export};
 
+/// The page of an experiment, in its folder.
+pub(crate) const REPORT_FILE: &str = "report.html";
+
 /// A result that could not be kept.
 #[derive(Debug, Error)]
 #[error("{}: {source}", path.display())]
@@ -100,7 +103,7 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
                 write(&format!("{}.svg", picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
             }
             let report = page(plan, finished, scene.as_ref(), &pictures);
-            write("report.html", &|out| out.write_all(report.as_bytes()))?;
+            write(REPORT_FILE, &|out| out.write_all(report.as_bytes()))?;
         }
         if let Some(curve) = &finished.curve {
             write("curve.csv", &|out| export::csv::write(curve, out))?;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
+use crate::deliver::REPORT_FILE;
 use crate::result_reader::contents;
 use crate::{Manifest, Options, Plan, SCHEMA};
 
@@ -50,7 +51,9 @@ pub fn earlier(plan: &Plan, options: Options, out: &Path) -> Option<Earlier> {
     let record: Record = serde_json::from_str(&json).ok()?;
     let same = record.schema == SCHEMA && record.manifest == Manifest::new(plan, options);
     let mut files = record.methods.iter().flat_map(|method| &method.files);
-    let whole = record.unwritten.is_empty() && files.all(|entry| folder.join(&entry.file).is_file());
+    let whole = record.unwritten.is_empty()
+        && files.all(|entry| folder.join(&entry.file).is_file())
+        && (!plan.output.pictures || folder.join(REPORT_FILE).is_file());
     let failed = record.methods.iter().filter(|method| method.error.is_some()).count();
     (same && whole).then_some(Earlier { json, failed, missed: record.missed.len() })
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 use thiserror::Error;
 
-use crate::export::{DEFAULT_TOLERANCE, Subject, rehearse};
+use crate::export::{Subject, rehearse};
 use crate::result_reader::{check_schema, contents, required};
 use crate::run::Finished;
 use crate::{
@@ -152,7 +152,7 @@ fn record(plan: &Plan, finished: &Finished) -> ResultFile {
             let subject = Subject { name: &method.name, mesh: &done.mesh };
             let solved = (&done.solved.surface, done.solved.family);
             let file = format!("{name}.{}", format.name());
-            match rehearse(format, &subject, solved, DEFAULT_TOLERANCE) {
+            match rehearse(format, &subject, solved, plan.output.step_tolerance) {
                 Ok(form) => record.add_file(k, file, form),
                 Err(ExportError::Refused { .. } | ExportError::Failed(_)) => record.add_unwritten(&file),
             }

@@ -110,6 +110,9 @@ impl Search<'_> {
         };
         let ended: Vec<(u64, Option<SearchRun>)> =
             kept.into_par_iter().enumerate().map(run).collect::<Result<_, MethodError>>()?;
+        if let Some(checkpoint) = self.context.checkpoint {
+            checkpoint.search_ended();
+        }
         let evaluations = ended.iter().map(|(evaluations, _)| evaluations).sum();
         Ok((ended.into_iter().filter_map(|(_, run)| run).collect(), evaluations))
     }
