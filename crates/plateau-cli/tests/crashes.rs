@@ -1,5 +1,6 @@
 //! A run that is killed or interrupted loses nothing that was finished, and resumed ends with the bytes of an undisturbed one.
 #![cfg(unix)]
+#![allow(clippy::print_stdout)] // the ignored test says what it did
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,5 +1,6 @@
 //! The levels at which results repeat: the same bytes on any number of threads (R1), the same figures in the other arithmetic
 //! (R3); and `verify`, by which a user sees it.
+#![allow(clippy::print_stdout)] // the ignored test says what it did
 
 use std::fs;
 use std::path::Path;
@@ -169,7 +170,7 @@ fn changed(number: &str) -> String {
     digits.map(other).find(|other| value(other) != value(number)).expect("some digit matters")
 }
 
-/// Every seventh number of a record, changed one at a time.
+/// Numbers all over a record, changed one at a time.
 #[test]
 fn a_changed_number_is_found() {
     let folder = tempfile::tempdir().unwrap();
@@ -181,28 +182,22 @@ fn a_changed_number_is_found() {
     let path = folder.path().join("out/x/result.json");
     let record = fs::read_to_string(&path).unwrap();
     let end = record.find("\"manifest\"").unwrap();
-    let mut tampered = 0;
-    // A number ends where a digit is followed by the end of its line.
+    let mut numbers = 0;
     for (at, _) in record[..end].match_indices(['\n', ',']) {
-        let line = &record[..at];
-        let (Some(digit), start) = (line.bytes().last(), line.rfind('\n').map_or(0, |start| start + 1))
-        else {
-            continue;
-        };
-        let number = line[start..].rsplit([' ', ':']).next().unwrap_or_default();
-        if !digit.is_ascii_digit() || number.parse::<f64>().is_err() || record[..at].ends_with('"') {
+        let number = record[..at].rsplit([' ', '\n']).next().unwrap_or_default();
+        if number.parse::<f64>().is_err() {
             continue;
         }
-        tampered += 1;
-        if tampered % 7 != 0 {
+        numbers += 1;
+        if numbers % 29 != 0 {
             continue;
         }
         fs::write(&path, [&record[..at - number.len()], &changed(number), &record[at..]].concat()).unwrap();
         let verification = verify(&path, &()).unwrap();
         let differences: usize = verification.entries.iter().map(|entry| entry.differences.len()).sum();
-        assert_eq!(differences, 1, "{}: {verification:?}", &line[start..]);
+        assert_eq!(differences, 1, "{number}: {verification:?}");
     }
-    assert!(tampered > 300, "{tampered}");
+    assert!(numbers > 300, "{numbers}");
 
     let other = record.replace("title = \\\"", "title = \\\"Not ");
     assert_ne!(other, record);
