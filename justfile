@@ -38,6 +38,20 @@ bench-peer:
     target/peer-venv/bin/pip install --quiet -r benches/peer/requirements.txt
     target/peer-venv/bin/python benches/peer/compare.py target/release/examples/search_time
 
+# The figures of accuracy that the book quotes, in full: two minutes.
+figures:
+    cargo test --release -p bases --test accuracy -- --ignored --nocapture
+    cargo test --release -p surfaces --test accuracy -- --ignored --nocapture
+    cargo test --release -p energy --test area_bounds --test galerkin -- --nocapture --test-threads 1
+    cargo test --release -p energy --test minimality -- --include-ignored --nocapture --test-threads 1
+    cargo test --release -p solve --test ratio --test certificate -- --nocapture --test-threads 1
+    cargo test --release -p solve --test agreement --test gradient -- --nocapture --test-threads 1
+
+# Least areas beside those of the Surface Evolver (Debian package `evolver`).
+evolver:
+    cargo build --release -p plateau-cli
+    python3 benches/peer/evolver.py target/release/plateau
+
 # Open reports in a headless Chromium (CHROMIUM names it): no console errors, switching methods changes the picture.
 check-report *REPORTS:
     cd crates/plateau-cli/web && npm install --silent
