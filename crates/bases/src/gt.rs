@@ -14,7 +14,7 @@ const MAX_DEGREE: usize = 1000;
 /// t = 1: a curve leaves with tangent `F'(0) = (n − 2 + θ1 π/4)(b₁ − b₀)`.
 ///
 /// Nonnegative exactly for 0 ≤ θ ≤ 4; independent unless both are 0. Accuracy: values within 8u absolutely
-/// (u = 2⁻⁵³), derivatives within 80u of the largest function of that order. Values at 0 and 1 are exact.
+/// (u = 2⁻⁵³), derivatives within 80u of the largest function of that order on the interval. Values at 0 and 1 are exact.
 ///
 /// ```
 /// use bases::{Basis, Gt};

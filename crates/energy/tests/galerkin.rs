@@ -93,7 +93,7 @@ fn of_triangle(functional: Functional, net: &TriangleNet, patch: &dyn Patch) -> 
 }
 
 fn check(name: &str, functional: Functional, n: usize, ratio: f64) {
-    println!("{name:<22}{:<12}{n:>4}{ratio:>10.3}", format!("{functional:?}"));
+    println!("{name:<22}{:<12}{n:>4}{ratio:>10.1e}", format!("{functional:?}"));
     assert!(ratio <= RATIO, "{name}, {functional:?}, degree {n}: {ratio}");
 }
 
