@@ -8,7 +8,7 @@ use std::path::Path;
 use surfaces::Point;
 use thiserror::Error;
 
-use crate::{MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE, Plan};
+use crate::{MAX_COORDINATE, MAX_DEGREE, Plan};
 
 mod fit;
 mod read;
@@ -18,6 +18,9 @@ use read::Side;
 
 /// Share of the size below which the ends of two sides are one corner.
 const SAME: f64 = 1e-6;
+
+/// Largest size in bytes of a file that is imported.
+const MAX_SIZE: u64 = 16 * 1024 * 1024;
 
 /// Most samples of a side that is fitted.
 const MOST_SAMPLES: usize = 5000;
@@ -34,7 +37,7 @@ pub enum ImportError {
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
     /// Too large.
-    #[error("is larger than {} MiB", MAX_FILE_SIZE >> 20)]
+    #[error("is larger than {} MiB", MAX_SIZE >> 20)]
     TooLarge,
     /// A line that is not understood.
     #[error("line {line}: {why}")]
@@ -91,8 +94,8 @@ struct Curve {
 /// [`ImportError`]; the file itself is not named in it.
 pub fn import(path: &Path, degree: Option<usize>) -> Result<String, ImportError> {
     let mut text = String::new();
-    File::open(path)?.take(MAX_FILE_SIZE + 1).read_to_string(&mut text)?;
-    if text.len() as u64 > MAX_FILE_SIZE {
+    File::open(path)?.take(MAX_SIZE + 1).read_to_string(&mut text)?;
+    if text.len() as u64 > MAX_SIZE {
         return Err(ImportError::TooLarge);
     }
     let is_obj = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));

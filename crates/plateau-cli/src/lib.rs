@@ -80,9 +80,9 @@ pub use method::{
 };
 pub use plan::{
     Basis, Boundary, Curve, CurveBasis, Deformation, DeformationPath, Energy, Expected, Experiment, Format,
-    Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE, MAX_SEARCH_BUDGET, Mask, Method, Output,
-    Patch, PatchExperiment, Plan, Published, Quantity, Search, SearchMode, Shape, SolverChoice,
-    TrapeziumHelicoid, Variant,
+    Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE, MAX_KEYS, MAX_SEARCH_BUDGET, MAX_TOKENS,
+    MIN_SIZE, Mask, Method, Output, Patch, PatchExperiment, Plan, Published, Quantity, Search, SearchMode,
+    Shape, SolverChoice, TrapeziumHelicoid, Variant,
 };
 pub use progress::Progress;
 pub use report::table;

@@ -8,6 +8,7 @@ use serde_spanned::Spanned;
 
 mod literal;
 mod read;
+mod size;
 
 pub(crate) use literal::{
     ExpectValue, Integer, MaskKey, Number, NumberList, PointList, Published, Samples, SearchKey, Section,

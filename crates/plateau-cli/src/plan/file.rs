@@ -126,9 +126,9 @@ fn too_large_file(path: &Path, size: u64) -> Diagnostic {
 fn too_large(size: u64) -> Diagnostic {
     Diagnostic::whole_file(
         Fault::File,
-        format!("the file has {size} bytes or more, above the limit of {MAX_FILE_SIZE} (16 MiB)"),
+        format!("the file has {size} bytes or more, above the limit of {MAX_FILE_SIZE} (1 MiB)"),
     )
-    .help("split it into several experiments; a net of the highest degree takes a few kilobytes")
+    .help("split it into several experiments; the sides of a net of the highest degree take 20 kilobytes")
 }
 
 fn plan(check: &mut Check<'_>, spec: &Spec, file: &str) -> Option<Plan> {

@@ -10,11 +10,17 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
-use super::Spec;
+use super::{Spec, size};
 use crate::diagnostic::{Diagnostic, Fault, nearest};
 
 /// Syntax errors shown: each may cause others behind it.
 const MOST_SYNTAX_ERRORS: usize = 3;
+
+/// Syntax errors looked at: finding the lines of all of them would take the square of their number.
+const MOST_EXAMINED: usize = 64;
+
+/// Largest text in bytes whose syntax errors are all collected: there may be one a byte, and each takes hundreds of them.
+const LARGEST_FOR_ALL_ERRORS: usize = 32 * 1024;
 
 /// The remedy for an error behind which nothing is read as it was meant.
 const UNCLOSED: &str =
@@ -43,14 +49,20 @@ pub(crate) struct Reading {
     pub(crate) removed: Vec<Vec<Step>>,
 }
 
-/// Reads a text; never panics, whatever the text.
+/// Reads a text; never panics, whatever the text, and takes no more than some 50 MB for it.
 pub(crate) fn read(text: &str) -> Reading {
     let mut reading = Reading::default();
-    let (mut document, errors) = DeTable::parse_recoverable(text);
-    if !errors.is_empty() {
-        reading.diagnostics = syntax_errors(text, &errors);
+    if let Some(excess) = size::beyond(text) {
+        reading.diagnostics.push(excess);
         return reading;
     }
+    let mut document = match parse(text) {
+        Ok(document) => document,
+        Err(errors) => {
+            reading.diagnostics = syntax_errors(text, &errors);
+            return reading;
+        }
+    };
     loop {
         let error = match Spec::deserialize(Deserializer::from(document.clone())) {
             Ok(spec) => {
@@ -71,6 +83,15 @@ pub(crate) fn read(text: &str) -> Reading {
             return reading;
         }
     }
+}
+
+/// The document, or its syntax errors: of a large text the first one only.
+fn parse(text: &str) -> Result<Spanned<DeTable<'_>>, Vec<Error>> {
+    if text.len() > LARGEST_FOR_ALL_ERRORS {
+        return DeTable::parse(text).map_err(|error| vec![error]);
+    }
+    let (document, errors) = DeTable::parse_recoverable(text);
+    if errors.is_empty() { Ok(document) } else { Err(errors) }
 }
 
 /// The path of the innermost entry whose key or value holds `span`.
@@ -145,7 +166,7 @@ fn syntax_errors(text: &str, errors: &[Error]) -> Vec<Diagnostic> {
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
     let mut lines = Vec::new();
     let mut kinds = Vec::new();
-    for error in errors {
+    for error in errors.iter().take(MOST_EXAMINED) {
         let kind = error.message().split(", expected ").next();
         let diagnostic = syntax(text, error);
         let line = diagnostic.position(text).map(|(line, _)| line);
@@ -247,7 +268,7 @@ fn structure(text: &str, error: &Error, span: Range<usize>, path: Option<&[Step]
             format!("`{key}`{inside} holds a number too large to be represented"),
             "too large",
         )
-        .help("whole numbers end at 2^63 - 1 and others at 1.8e308; coordinates are admitted up to 1e150: choose a larger unit");
+        .help("whole numbers end at 2^63 - 1 and others at 1.8e308; coordinates are admitted up to 1e30: choose a larger unit");
     }
     Diagnostic::at(Fault::WrongType, span, format!("`{key}`{inside} cannot be read"), shorten(message))
         .help("compare it with a template: `plateau new tensor` prints one")
