@@ -29,8 +29,12 @@ pub const AREA_TOLERANCE: f64 = 1e-12;
 const FIRST_RULE: usize = 8;
 const LARGEST_RULE: usize = 512;
 
+/// Most terms summed for one rule (points times [`Patch::terms`]): about half a second. A triangular patch of degree 60 is
+/// integrated by at most 128² points.
+const MOST_TERMS: usize = 1 << 25;
+
 /// The area of a patch by Gauss rules of 8², 16², … points until a doubling moves it by no more than 1e-12 of its
-/// value, at most 512² points. Unit: length².
+/// value, at most 512² points, and fewer for triangular patches of degree 13 or more (128² at degree 60). Unit: length².
 ///
 /// Smooth immersed patches settle at 16 or 32 points with an error far below the bound, near rounding; folds, where
 /// EG − F² touches zero, converge slowly and are then reported as not settled, with the error that remains.
@@ -71,7 +75,7 @@ pub fn integrate<const K: usize>(
             Integral { value, error, points, settled }
         });
         let done = integrals.iter().all(|i| i.settled || !i.value.is_finite());
-        if done || points >= LARGEST_RULE {
+        if done || points >= LARGEST_RULE || (2 * points).pow(2) * patch.terms() > MOST_TERMS {
             return Ok(integrals);
         }
         last = values;

@@ -1,7 +1,7 @@
 //! The figures a patch is judged by.
 
 use energy::{EnergyError, Integral, area, integrate};
-use surfaces::{Mesh, Patch};
+use surfaces::{Jet, Mesh, Patch};
 
 /// Energies, area and curvature of a patch, each computed by quadrature from the patch itself, whatever made it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,14 +16,19 @@ pub struct Figures {
     pub bending: Integral,
     /// (D − A)/A: 0 exactly for conformal charts. None for a patch without area.
     pub conformality_gap: Option<f64>,
-    /// Largest |H| at the vertices of the mesh, 1/length. None if the patch is singular at all of them.
+    /// Largest |H| at the vertices of the mesh, 1/length. None for a patch without area, or if it is singular at all of them.
     pub mean_curvature_max: Option<f64>,
     /// Root mean square of H over the area, 1/length. None for a patch without area, or if it does not exist.
     pub mean_curvature_rms: Option<f64>,
+    /// ∫H² dA, of which that is made; without unit. None for a patch without area.
+    pub mean_curvature_square: Option<Integral>,
 }
 
 /// Relative accuracy asked of the energies.
 const TOLERANCE: f64 = 1e-12;
+
+/// An area below this share of (coordinates and tangents) × tangents is rounding.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 impl Figures {
     /// The figures of `patch`; `mesh` is a mesh of the same patch.
@@ -38,12 +43,16 @@ impl Figures {
             let laplacian = jet.laplacian();
             [laplacian.dot(laplacian), jet.uu.dot(jet.uu) + 2.0 * jet.uv.dot(jet.uv) + jet.vv.dot(jet.vv)]
         })?;
+        // What is no more than the rounding of the tangents is no area, and no curvature comes of it.
+        let size = mesh.points.iter().map(|p| p.norm()).fold((2.0 * dirichlet.value).sqrt(), f64::max);
+        let has_area = area.value > ROUNDING * size * dirichlet.value.sqrt();
         // ∫H² has no unit: measured against 1. It may diverge at singular points; then it stays unsettled.
-        let [willmore] = integrate(patch, 1e-6, [1.0], |jet| {
-            [jet.mean_curvature().map_or(0.0, |h| h * h * jet.area_density())]
-        })?;
-        let has_area = area.value > 0.0;
-        let rms = (willmore.value / area.value).sqrt();
+        let willmore = |jet: &Jet| [jet.mean_curvature().map_or(0.0, |h| h * h * jet.area_density())];
+        let square = match has_area {
+            true => Some(integrate(patch, 1e-6, [1.0], willmore)?[0]),
+            false => None,
+        };
+        let rms = square.filter(|s| s.settled).map(|s| (s.value / area.value).sqrt());
         let largest = mesh.mean_curvature.iter().flatten().map(|h| h.abs()).reduce(f64::max);
         Ok(Self {
             dirichlet,
@@ -51,8 +60,9 @@ impl Figures {
             laplacian_defect,
             bending,
             conformality_gap: has_area.then(|| (dirichlet.value - area.value) / area.value),
-            mean_curvature_max: largest.filter(|h| h.is_finite()),
-            mean_curvature_rms: (has_area && willmore.settled && rms.is_finite()).then_some(rms),
+            mean_curvature_max: largest.filter(|h| has_area && h.is_finite()),
+            mean_curvature_rms: rms.filter(|rms| rms.is_finite()),
+            mean_curvature_square: square,
         })
     }
 }

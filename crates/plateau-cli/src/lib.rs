@@ -35,6 +35,7 @@ mod checkpoint;
 mod closed_form;
 mod colour;
 mod curve;
+mod degeneracy;
 mod deliver;
 mod diagnostic;
 mod earlier;

@@ -1,6 +1,7 @@
 //! Running a plan: all methods of an experiment, their figures, what the file expected of them.
 
 use crate::curve;
+use crate::degeneracy::degeneracies;
 use crate::helicoid::{helicoids, trapezium};
 use crate::method::{self, Context};
 use crate::{
@@ -106,6 +107,7 @@ pub fn run_kept(
         Experiment::Patch(experiment) => {
             let arithmetic = options.arithmetic;
             let context = Context { experiment, index: 0, checkpoint, seed, arithmetic, progress };
+            finished.warnings = degeneracies(&experiment.boundary);
             finished.methods = patches(&context, mesh);
         }
         Experiment::Helicoid(helicoid) => finished.methods = helicoids(helicoid, mesh, progress),
@@ -134,6 +136,10 @@ fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Don
         return Err(MethodError::Interrupted);
     }
     let solved = method::solve(method, context)?;
+    let cancellation = solved.surface.cancellation();
+    if cancellation > method::WORST_CANCELLATION {
+        return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
+    }
     context.progress.begin(&format!("figures of {}", method.name), None);
     let mesh = solved.surface.mesh(mesh);
     let figures = Figures::of(solved.surface.patch(), &mesh);

@@ -28,6 +28,12 @@ pub trait Patch: Send + Sync {
         us.iter().flat_map(|&u| vs.iter().map(move |&v| (u, v))).map(|(u, v)| self.jet(u, v)).collect()
     }
 
+    /// How many terms are summed for each jet of a grid: what bounds the work of a quadrature. 1 where the variables separate,
+    /// so that a jet of a grid costs little.
+    fn terms(&self) -> usize {
+        1
+    }
+
     /// The point at (u, v).
     fn point(&self, u: f64, v: f64) -> Point {
         self.jet(u, v).point

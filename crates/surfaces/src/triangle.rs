@@ -78,6 +78,10 @@ impl Patch for TrianglePatch {
         Domain::Triangle
     }
 
+    fn terms(&self) -> usize {
+        self.net.points().len()
+    }
+
     fn jet(&self, u: f64, v: f64) -> Jet {
         let n = self.net.degree();
         if !(u.is_finite() && v.is_finite()) {

@@ -4,8 +4,8 @@
 const LONGEST: usize = 48;
 
 /// The candidate that `word` most likely misspells, if any comes near: the optimal string alignment
-/// distance may be a third of the longer word, or one of the two begins or ends the other; ties go to the
-/// earlier candidate.
+/// distance may be a third of the longer word, or 1 for words of two or three letters, or one of the two begins or ends the
+/// other; ties go to the earlier candidate.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.is_empty() || word.len() > LONGEST {
         return None;
@@ -16,7 +16,8 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
         .filter_map(|candidate| {
             let letters: Vec<char> = candidate.chars().collect();
             let distance = alignment_distance(&word, &letters);
-            let near = 3 * distance <= word.len().max(letters.len());
+            let longer = word.len().max(letters.len());
+            let near = 3 * distance <= longer || (distance == 1 && longer > 1);
             let part = word.len() >= 3 && (letters.starts_with(&word) || letters.ends_with(&word));
             let whole = letters.len() >= 3 && word.starts_with(&letters);
             (near || part || whole).then_some((distance, candidate))
@@ -72,6 +73,8 @@ mod tests {
         assert_eq!(nearest("coons", ["tensor", "tb-coons"]), Some("tb-coons"));
         assert_eq!(nearest("Dirichlet energy", ["area", "dirichlet"]), Some("dirichlet"));
         assert_eq!(nearest("colour", keys), None);
+        assert_eq!(nearest("u2", keys), Some("u0"));
+        assert_eq!(nearest("x", keys), None);
         assert_eq!(nearest("", keys), None);
         assert_eq!(nearest(&"e".repeat(10_000), keys), None);
     }

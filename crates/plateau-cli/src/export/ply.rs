@@ -1,7 +1,7 @@
 //! Stanford PLY, binary little endian: everything the mesh knows, in double precision.
 //!
-//! PLY has no missing values. Where the patch is singular and has no curvature, the curvature is written as "not a number"
-//! and a comment of the header counts those vertices; regular patches have none.
+//! PLY has no missing values. Where the patch is singular and has no curvature, 0 is written and the property `singular` is
+//! 1; a comment of the header counts those vertices. Regular patches have neither.
 
 use std::io::{self, Write};
 
@@ -42,9 +42,15 @@ impl Export for Ply {
         }
         let singular = mesh.mean_curvature.iter().filter(|h| h.is_none()).count();
         if singular > 0 {
-            writeln!(out, "comment the patch is singular at {singular} vertices: their curvatures are nan")?;
+            writeln!(
+                out,
+                "comment the patch is singular at {singular} vertices, marked 1: they have no curvature, written 0"
+            )?;
         }
         write!(out, "element vertex {}\n{HEADER}", mesh.points.len())?;
+        if singular > 0 {
+            writeln!(out, "property uchar singular")?;
+        }
         if colours.is_some() {
             out.write_all(COLOURS.as_bytes())?;
         }
@@ -55,10 +61,13 @@ impl Export for Ply {
         )?;
         for k in 0..mesh.points.len() {
             let (p, n, [u, v]) = (mesh.points[k], mesh.normals[k], mesh.parameters[k]);
-            let curvature = |values: &[Option<f64>]| values[k].unwrap_or(f64::NAN);
+            let curvature = |values: &[Option<f64>]| values[k].unwrap_or(0.0);
             let (mean, gauss) = (curvature(&mesh.mean_curvature), curvature(&mesh.gauss_curvature));
             for x in [p.x, p.y, p.z, n.x, n.y, n.z, u, v, mean, gauss] {
                 out.write_all(&x.to_le_bytes())?;
+            }
+            if singular > 0 {
+                out.write_all(&[u8::from(mesh.mean_curvature[k].is_none())])?;
             }
             if let Some((colours, _)) = &colours {
                 out.write_all(&colours[k])?;

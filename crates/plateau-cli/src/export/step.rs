@@ -62,7 +62,7 @@ impl StepFile {
                  {deviation:.2e} ({:.1e} of the size) from the patch, 1.25 times the largest distance measured",
                 u.values.len() - 1,
                 v.values.len() - 1,
-                deviation / size,
+                if size > 0.0 { deviation / size } else { 0.0 },
             ),
         }
     }

@@ -1,7 +1,7 @@
 //! VTK unstructured grid (XML), for ParaView: triangles with curvatures, normals and parameters at the vertices.
 //!
-//! Arrays are inline base64 of little-endian numbers, since the text form of the format cannot hold "not a number", which
-//! stands for the curvature where a patch is singular (ParaView has a colour for it).
+//! Arrays are inline base64 of little-endian numbers. Where a patch is singular it has no curvature: 0 is written, and the
+//! array `singular`, which regular patches lack, is 1.
 
 use std::io::{self, Write};
 
@@ -41,7 +41,10 @@ fn point_data(mesh: &Mesh, out: &mut dyn Write) -> io::Result<()> {
     for (name, values) in
         [("mean_curvature", &mesh.mean_curvature), ("gauss_curvature", &mesh.gauss_curvature)]
     {
-        doubles(name, 1, values.iter().map(|value| value.unwrap_or(f64::NAN)), out)?;
+        doubles(name, 1, values.iter().map(|value| value.unwrap_or(0.0)), out)?;
+    }
+    if mesh.mean_curvature.contains(&None) {
+        array("UInt8", "singular", 1, mesh.mean_curvature.iter().map(|h| u8::from(h.is_none())), out)?;
     }
     doubles("normals", 3, mesh.normals.iter().flat_map(|n| [n.x, n.y, n.z]), out)?;
     doubles("parameters", 2, mesh.parameters.iter().copied().flatten(), out)?;

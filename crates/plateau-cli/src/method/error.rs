@@ -78,6 +78,46 @@ pub enum MethodError {
         /// The largest relative misfit.
         misfit: f64,
     },
+    /// The weights of a mask leave its system without an inverse.
+    #[error(
+        "the mask is singular at the corner weight α = {alpha} on a net of degree {degree} (reciprocal condition \
+         {reciprocal_condition:.0e}): some nets that vanish on the border satisfy it too. Take another weight: -0.25 is the Coons mask \
+         of tensor nets, which is never singular"
+    )]
+    MaskWeight {
+        /// The corner weight.
+        alpha: f64,
+        /// The larger degree of the net.
+        degree: usize,
+        /// Estimate of the reciprocal condition number; 0 if a pivot vanished.
+        reciprocal_condition: f64,
+    },
+    /// The system of a high degree is beyond double precision.
+    #[error(
+        "at degree {degree} the condition of the system of the interior is beyond double precision ({unknowns} unknowns, \
+         pivot {pivot} is not positive): take a lower degree; of the extremals only energy = \"dirichlet\" on tensor patches is \
+         solved at high degrees, masks and construction = \"discrete-coons\" stay sound"
+    )]
+    Degree {
+        /// The larger degree of the net.
+        degree: usize,
+        /// Order of the system.
+        unknowns: usize,
+        /// The pivot that was not positive.
+        pivot: usize,
+    },
+    /// Control points far beyond the boundary, whose differences leave no digit of the surface.
+    #[error(
+        "the extremal of degree ({}, {}) has control points up to {:.0e} times as far out as its boundary, and rounding of \
+         their differences takes {share:.0e} of the size: take a lower degree, or a boundary whose control points oscillate less",
+        degrees.0, degrees.1, share / f64::EPSILON
+    )]
+    Cancellation {
+        /// Degrees in u and v.
+        degrees: (usize, usize),
+        /// Rounding of the surface as a share of the size of its boundary.
+        share: f64,
+    },
     /// Derivatives of a curve are not finite.
     #[error(
         "the derivatives of the curve near t = {t} are beyond double precision: scale its points or its span"
@@ -95,4 +135,29 @@ pub enum MethodError {
         /// What was asked for.
         what: &'static str,
     },
+}
+
+/// Degree from which a matrix that is not positive definite is so by its degree alone.
+const HIGH: usize = 10;
+
+impl MethodError {
+    /// The error of the system of a mask with this corner weight.
+    pub(super) fn of_mask(self, alpha: f64, degree: usize) -> Self {
+        match self {
+            Self::Solve(solve::SolveError::Singular { reciprocal_condition, .. }) => {
+                Self::MaskWeight { alpha, degree, reciprocal_condition }
+            }
+            error => error,
+        }
+    }
+
+    /// The error of the linear system of an extremal of this degree.
+    pub(super) fn of_system(error: solve::SolveError, degree: usize) -> Self {
+        match error {
+            solve::SolveError::NotPositiveDefinite { order, pivot: Some(pivot), .. } if degree >= HIGH => {
+                Self::Degree { degree, unknowns: order, pivot }
+            }
+            error => error.into(),
+        }
+    }
 }

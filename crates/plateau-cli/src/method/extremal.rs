@@ -38,7 +38,15 @@ fn by_energy(patch: &TensorPatch, method: &Method) -> Result<(TensorPatch, Solve
             return by_separation(patch, product);
         }
     }
-    by_matrix(patch, &QuadraticForm::of(functional, patch)?.matrix())
+    let matrix = QuadraticForm::of(functional, patch)?.matrix();
+    by_matrix(patch, &matrix).map_err(|error| match error {
+        // The dense solver asked for by name where the separable one would do: its own error says so.
+        MethodError::Solve(error) if energy != Energy::Dirichlet || patch.products().len() > 1 => {
+            let (m, n) = net.degrees();
+            MethodError::of_system(error, m.max(n))
+        }
+        error => error,
+    })
 }
 
 /// The extremal of the form Q given as a dense matrix over all points.

@@ -54,7 +54,8 @@ fn extremal(
 fn minimise(form: &DenseForm, net: &TriangleNet) -> Result<(TrianglePatch, SolveFigures), MethodError> {
     let partition = Partition::new(net.fixed());
     let matrix = form.matrix();
-    let solution = solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())?;
+    let solution = solve_partitioned(matrix.rows(), matrix.as_slice(), &partition, 3, &net.coordinates())
+        .map_err(|error| MethodError::of_system(error, net.degree()))?;
     let figures = SolveFigures::dense(matrix, &partition, &solution)?;
     Ok((TrianglePatch::new(net.with_coordinates(&solution.x)?)?, figures))
 }
@@ -68,6 +69,10 @@ fn by_mask(net: &TriangleNet, mask: Mask) -> Result<(TrianglePatch, SolveFigures
     if stencil.is_singular(net.degree()) {
         return Err(MethodError::SingularMask { degree: net.degree() });
     }
-    let (coordinates, figures) = mask::solve(&stencil.system(net)?, net.fixed(), &net.coordinates())?;
+    let solved = mask::solve(&stencil.system(net)?, net.fixed(), &net.coordinates());
+    let (coordinates, figures) = match mask {
+        Mask::Alpha(alpha) => solved.map_err(|error| error.of_mask(alpha, net.degree()))?,
+        Mask::Dirichlet | Mask::Coons => solved?,
+    };
     Ok((TrianglePatch::new(net.with_coordinates(&coordinates)?)?, figures))
 }

@@ -6,7 +6,7 @@ use serde_spanned::Spanned;
 
 use super::check::{Check, Table, top};
 use super::number::{counted, shown, shown_point};
-use super::{Boundary, MAX_COORDINATE, MAX_DEGREE};
+use super::{Boundary, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{BoundarySpec, Integer, Key, PointList, Section};
 
@@ -61,7 +61,44 @@ pub(super) fn boundary(check: &mut Check<'_>, spec: &Spanned<Section<BoundarySpe
         }
         _ => (Some(Kind::Tensor), tensor(check, &table, spec)),
     };
+    let boundary = boundary.filter(|_| large_enough(check, spec));
     Sides { kind, header, boundary }
+}
+
+/// Whether the largest coordinate is large enough for areas to be told from 0; a boundary of zeros is told apart later.
+fn large_enough(check: &mut Check<'_>, spec: &BoundarySpec) -> bool {
+    let sides = [
+        ("u0", &spec.u0),
+        ("u1", &spec.u1),
+        ("v0", &spec.v0),
+        ("v1", &spec.v1),
+        ("ab", &spec.ab),
+        ("bc", &spec.bc),
+        ("ca", &spec.ca),
+    ];
+    let mut largest = (0.0, String::new(), 0..0);
+    for (name, key) in sides {
+        for (k, point) in key.iter().flat_map(|key| &key.get_ref().0).enumerate() {
+            for (axis, coordinate) in ["x", "y", "z"].iter().zip(&point.get_ref().0) {
+                let size = coordinate.get_ref().0.abs();
+                if size > largest.0 {
+                    largest = (size, format!("{axis} of point {k} of `{name}`"), coordinate.span());
+                }
+            }
+        }
+    }
+    let (size, place, span) = largest;
+    if size == 0.0 || size >= MIN_SIZE {
+        return true;
+    }
+    check.inadmissible(
+        span,
+        format!("the points of [boundary] are too small: the largest coordinate, {place}, is {} (points are counted from 0)", shown(size)),
+        "the largest of all",
+        "areas of so small a boundary leave the range of double precision: choose a smaller unit of length, in which the largest \
+         coordinate is at least 1e-30",
+    );
+    false
 }
 
 fn empty(check: &mut Check<'_>, table: &Table) {
@@ -198,7 +235,8 @@ fn side<'s>(
     help: &str,
 ) -> Option<Side<'s>> {
     let key = check.required(table, name, key, help)?;
-    let points = points(check, &format!("`{name}` in [boundary]"), key, &[3], 2..=MAX_DEGREE + 1)?;
+    let name_in_table = format!("`{name}` in [boundary]");
+    let points = points(check, &name_in_table, key, &[3], 2..=MAX_DEGREE + 1, MAX_COORDINATE)?;
     Some(Side { name, key, points })
 }
 
@@ -209,6 +247,7 @@ pub(super) fn points(
     key: &Spanned<PointList>,
     dimensions: &[usize],
     admitted: std::ops::RangeInclusive<usize>,
+    largest: f64,
 ) -> Option<Vec<[f64; 3]>> {
     let list = &key.get_ref().0;
     let (least, most) = admitted.into_inner();
@@ -246,17 +285,19 @@ pub(super) fn points(
         let mut row = [0.0; 3];
         for (c, coordinate) in coordinates.iter().enumerate() {
             row[c] = coordinate.get_ref().0;
-            if row[c].is_finite() && row[c].abs() <= MAX_COORDINATE {
+            if row[c].is_finite() && row[c].abs() <= largest {
                 continue;
             }
             let axis = ["x", "y", "z"][c];
             let (what, help) = if row[c].is_finite() {
                 (
                     "too large",
-                    "coordinates are admitted up to 1e150, so that their squares stay finite: choose another unit of length",
+                    format!(
+                        "coordinates are admitted up to {largest:e}, so that every figure stays finite: choose a larger unit of length"
+                    ),
                 )
             } else {
-                ("not finite", "every coordinate must be an ordinary number: replace nan or inf")
+                ("not finite", "every coordinate must be an ordinary number: replace nan or inf".to_owned())
             };
             check.inadmissible(
                 coordinate.span(),

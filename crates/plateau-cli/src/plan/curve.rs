@@ -15,6 +15,9 @@ use super::{Curve, CurveBasis, MAX_DEGREE};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{CurveSpec, ExpectSpec, Key, Samples, Section};
 
+/// Largest |coordinate| of a point: its square stays finite. Derivatives that do not are told apart when they are computed.
+const LARGEST_COORDINATE: f64 = 1e150;
+
 /// Most samples of a curve.
 const MOST_SAMPLES: usize = 100_000;
 
@@ -51,7 +54,7 @@ pub(super) fn curve(
             Some(Family::Gt) => 3..=MAX_DEGREE + 1,
             Some(Family::Bernstein) | None => 2..=MAX_DEGREE + 1,
         };
-        let control = points(check, "`points` in [curve]", key, &[2, 3], admitted)?;
+        let control = points(check, "`points` in [curve]", key, &[2, 3], admitted, LARGEST_COORDINATE)?;
         let dimension = common_dimension(check, spec)?;
         Some((control, dimension))
     });

@@ -101,11 +101,18 @@ fn load(path: &Path) -> Result<String, Refusal> {
         return Err(refuse(too_large_file(path, bytes.len() as u64)));
     }
     String::from_utf8(bytes).map_err(|error| {
-        let valid = error.utf8_error().valid_up_to();
-        let line = 1 + error.as_bytes()[..valid].iter().filter(|&&byte| byte == b'\n').count();
+        // Shown with what is no text replaced; the place is the same, since everything before it is text.
+        let text = String::from_utf8_lossy(error.as_bytes());
+        let at = error.utf8_error().valid_up_to();
+        let line = 1 + text[..at].matches('\n').count();
         let (message, help) = not_utf8();
-        let message = format!("{}: {message}, from line {line} on", path.display());
-        refuse(Diagnostic::whole_file(Fault::File, message).help(help))
+        let diagnostic = Diagnostic::at(
+            Fault::File,
+            at..at + char::REPLACEMENT_CHARACTER.len_utf8(),
+            format!("{}: {message}, from line {line} on", path.display()),
+            format!("the byte 0x{:02X} begins no character", error.as_bytes()[at]),
+        );
+        Refusal::new(&path.display().to_string(), &text, vec![diagnostic.help(help)])
     })
 }
 

@@ -16,6 +16,9 @@ use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, Sp
 /// Largest weight: with cosh u ≤ cosh 100 the squares of area densities stay below overflow.
 const LARGEST_WEIGHT: f64 = 1e30;
 
+/// The larger weight is at least this: the fourth powers of lengths stay above underflow.
+const SMALLEST_WEIGHT: f64 = 1e-30;
+
 /// Shortest interval: on a shorter one the surface drowns in the rounding of its coordinates, its derivatives first.
 const SHORTEST: f64 = 1e-6;
 
@@ -44,6 +47,17 @@ pub(super) fn helicoid(
             "[helicoid] has a = 0 and b = 0: the surface shrinks to a point",
             "a is zero, too",
             "a = 1, b = 0 is the right helicoid, a = 0, b = 1 the catenoid: make one of the two nonzero",
+        );
+        return None;
+    }
+    if let (Some(weight_a), Some(weight_b), Some(key)) = (a, b, &spec.b)
+        && weight_a.abs().max(weight_b.abs()) < SMALLEST_WEIGHT
+    {
+        check.inadmissible(
+            key.span(),
+            format!("[helicoid] has a = {} and b = {}: the surface is too small", shown(weight_a), shown(weight_b)),
+            "a is as small",
+            "areas of so small a surface leave the range of double precision: one of the two weights must be at least 1e-30",
         );
         return None;
     }
@@ -206,8 +220,9 @@ pub(super) fn trapezium(
     let at_start = gamma[1] - gamma[0];
     let at_end = (gamma[1] + beta[1] * span) - (gamma[0] + beta[0] * span);
     let crossed = (at_start < 0.0 && at_end > 0.0) || (at_start > 0.0 && at_end < 0.0);
-    if crossed || (at_start == 0.0 && at_end == 0.0) {
-        let what = if at_start == 0.0 {
+    let apart = at_start.abs().max(at_end.abs());
+    if crossed || apart < SMALLEST_WEIGHT {
+        let what = if apart < SMALLEST_WEIGHT {
             "the two sides of [trapezium-helicoid] coincide".to_owned()
         } else {
             let v = -at_start / (beta[1] - beta[0]);

@@ -20,6 +20,9 @@ pub(crate) fn newton_end(end: NewtonEnd) -> &'static str {
 /// Condition beyond which the last digits printed are no longer certain.
 const ILL_CONDITIONED: f64 = 1e10;
 
+/// Share of the size lost to the cancellation of control points beyond which it is said.
+const CANCELLING: f64 = 1e-11;
+
 /// The warnings of one method.
 pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> Vec<String> {
     let mut warnings = Vec::new();
@@ -73,6 +76,14 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
             ));
         }
     }
+    let cancellation = solved.surface.cancellation();
+    if cancellation > CANCELLING {
+        warnings.push(format!(
+            "the control points reach {:.0e} times as far out as the boundary: the surface is what their differences leave, and \
+             is certain to about {cancellation:.0e} of its size",
+            cancellation / f64::EPSILON
+        ));
+    }
     if let Some(found) = &solved.area {
         if matches!(found.end, NewtonEnd::Budget | NewtonEnd::NoDecrease | NewtonEnd::NotFinite) {
             warnings.push(format!(
@@ -97,11 +108,43 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
             );
         }
     }
-    if !figures.area.settled {
+    warnings.extend(of_figures(figures));
+    warnings
+}
+
+/// What is uncertain about the figures of a patch, and why some are left out.
+pub(crate) fn of_figures(figures: &Figures) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let area = &figures.area;
+    let Some(square) = figures.mean_curvature_square else {
+        return vec![format!(
+            "the patch has no area beyond rounding ({:.1e}): (D − A)/A and the mean curvature are left out",
+            area.value
+        )];
+    };
+    if !area.settled {
         warnings.push(format!(
             "the area has not settled: {} ± {:.1e} after {}² quadrature points; the patch folds or is singular somewhere",
-            figures.area.value, figures.area.error, figures.area.points
+            digits(area.value),
+            area.error,
+            area.points
+        ));
+    }
+    if figures.mean_curvature_max.is_none() {
+        warnings
+            .push("the patch is singular at every vertex of its mesh: no mean curvature is given".to_owned());
+    }
+    if figures.mean_curvature_rms.is_none() {
+        warnings.push(format!(
+            "the root mean square of H is left out: ∫H² dA has not settled ({:.3e} ± {:.0e} after {}² quadrature points); the \
+             patch is singular somewhere, or nearly, and the largest |H| depends on the mesh",
+            square.value, square.error, square.points
         ));
     }
     warnings
+}
+
+/// A number with all its digits, in the form that is shorter.
+fn digits(x: f64) -> String {
+    if (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
 }

@@ -76,7 +76,8 @@ pub(crate) fn read(text: &str) -> Reading {
             reading.diagnostics.push(structure(text, &error, span, None));
             return reading;
         };
-        reading.diagnostics.push(structure(text, &error, span, Some(&path)));
+        let present = keys_beside(document.get_ref(), &path);
+        reading.diagnostics.push(structure(text, &error, span, Some((&path, &present))));
         remove(document.get_mut(), &path);
         reading.removed.push(path);
         if reading.removed.len() == MOST_REMOVED {
@@ -121,6 +122,22 @@ fn locate_inside(value: &Spanned<DeValue<'_>>, span: &Range<usize>) -> Option<Ve
 
 fn holds(outer: &Range<usize>, inner: &Range<usize>) -> bool {
     outer.start <= inner.start && inner.end <= outer.end && inner.start < inner.end
+}
+
+/// The keys of the table in which `path` ends.
+fn keys_beside(table: &DeTable<'_>, path: &[Step]) -> Vec<String> {
+    match path {
+        [Step::Key(_)] => table.keys().map(|key| key.get_ref().clone().into_owned()).collect(),
+        [Step::Key(key), rest @ ..] => match (table.get(key.as_str()).map(Spanned::get_ref), rest) {
+            (Some(DeValue::Table(inner)), rest) => keys_beside(inner, rest),
+            (Some(DeValue::Array(list)), [Step::Index(k), rest @ ..]) => {
+                let inner = list.get(*k).and_then(|element| element.get_ref().as_table());
+                inner.map(|inner| keys_beside(inner, rest)).unwrap_or_default()
+            }
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
 }
 
 fn remove(table: &mut DeTable<'_>, path: &[Step]) {
@@ -194,6 +211,9 @@ fn syntax(text: &str, error: &Error) -> Diagnostic {
     };
     if what == "duplicate key" {
         let key = shorten(text.get(span.clone()).unwrap_or_default());
+        if let Some(misspelt) = misspelt_header(text, span.start) {
+            return misspelt;
+        }
         return Diagnostic::at(
             Fault::Syntax,
             span,
@@ -232,9 +252,50 @@ fn syntax(text: &str, error: &Error) -> Diagnostic {
     at(what, &label, help)
 }
 
+/// The tables of an experiment.
+const TABLES: [&str; 8] =
+    ["boundary", "method", "search", "helicoid", "trapezium-helicoid", "curve", "expect", "output"];
+
+/// The header that is misspelt, where the header at `end` comes for the second time: a table inside, [method.expect]
+/// below [[methd]], makes the next [[method]], or the next [method.expect], the second of its name.
+fn misspelt_header(text: &str, end: usize) -> Option<Diagnostic> {
+    let table = |line: &str| -> Option<(usize, usize)> {
+        let name = line.trim_start().trim_start_matches('[');
+        let is_header = line.trim_start().starts_with('[') && line.contains(']');
+        let length = name.find([']', '.']).unwrap_or(name.len());
+        is_header.then_some((line.len() - name.len(), length))
+    };
+    let line_start = text[..end].rfind('\n').map_or(0, |k| k + 1);
+    let last = text[line_start..].lines().next()?;
+    let meant = table(last).map(|(at, length)| last[at..at + length].trim())?;
+    let mut start = 0;
+    for line in text[..line_start].split_inclusive('\n') {
+        if let Some((at, length)) = table(line) {
+            let name = &line[at..at + length];
+            if !TABLES.contains(&name) && nearest(name, TABLES) == Some(meant) {
+                let span = start + at..start + at + length;
+                let what = format!("an experiment has no table or key `{}`", shorten(name));
+                return Some(
+                    Diagnostic::at(Fault::UnknownKey, span, what, "unknown table or key")
+                        .help(format!("did you mean `{meant}`?"))
+                        .help(format!("an experiment may hold: title, seed, {}", TABLES.join(", "))),
+                );
+            }
+        }
+        start += line.len();
+    }
+    None
+}
+
 /// A fault of structure (an unknown key, a wrong type) in our words.
-fn structure(text: &str, error: &Error, span: Range<usize>, path: Option<&[Step]>) -> Diagnostic {
+fn structure(
+    text: &str,
+    error: &Error,
+    span: Range<usize>,
+    place: Option<(&[Step], &[String])>,
+) -> Diagnostic {
     let message = error.message();
+    let (path, present) = place.map_or((None, [].as_slice()), |(path, present)| (Some(path), present));
     let key = match path.and_then(<[Step]>::last) {
         Some(Step::Key(key)) => shorten(key),
         _ => String::new(),
@@ -242,7 +303,7 @@ fn structure(text: &str, error: &Error, span: Range<usize>, path: Option<&[Step]
     let place = path.map(table_name).filter(|name| !name.is_empty());
     let inside = place.as_ref().map_or(String::new(), |name| format!(" in {name}"));
     if message.starts_with("unknown field") {
-        return unknown_key(message, span, &key, place.as_deref());
+        return unknown_key(message, span, &key, place.as_deref(), present);
     }
     if let Some((found, expected)) =
         message.strip_prefix("invalid type: ").and_then(|m| m.rsplit_once(", expected "))
@@ -274,7 +335,14 @@ fn structure(text: &str, error: &Error, span: Range<usize>, path: Option<&[Step]
         .help("compare it with a template: `plateau new tensor` prints one")
 }
 
-fn unknown_key(message: &str, span: Range<usize>, key: &str, place: Option<&str>) -> Diagnostic {
+/// `present` are the keys of the same table, which are not likely to be meant once more.
+fn unknown_key(
+    message: &str,
+    span: Range<usize>,
+    key: &str,
+    place: Option<&str>,
+    present: &[String],
+) -> Diagnostic {
     // serde lists the keys of the struct behind the last "expected", between backticks.
     let allowed: Vec<&str> = message
         .rsplit_once(", expected ")
@@ -293,7 +361,8 @@ fn unknown_key(message: &str, span: Range<usize>, key: &str, place: Option<&str>
         ),
     };
     let diagnostic = Diagnostic::at(Fault::UnknownKey, span, what, label);
-    let diagnostic = match nearest(key, allowed.iter().copied()) {
+    let absent = allowed.iter().copied().filter(|name| !present.iter().any(|p| p == name));
+    let diagnostic = match nearest(key, absent).or_else(|| nearest(key, allowed.iter().copied())) {
         Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
         None => diagnostic,
     };
