@@ -115,7 +115,7 @@ fn unreadable_files_get_one_clear_line() {
         (&missing, "there is no such file"),
         (&folder_name, "this is a folder"),
         (&latin, "not UTF-8 text, from line 2 on"),
-        (&large, "1099511627776 bytes or more, above the limit of 16777216"),
+        (&large, "1099511627776 bytes or more, above the limit of 1048576"),
     ] {
         let output = plateau(&["check", file]);
         let report = text(&output.stderr);

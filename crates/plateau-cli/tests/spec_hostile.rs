@@ -159,7 +159,7 @@ fn large_texts_take_bounded_time() {
     within(limit, "deep nesting", || parse(&format!("a = {}", "[".repeat(200_000))));
     within(limit, "a long key", || parse(&format!("{} = 1", "k".repeat(1_000_000))));
     within(limit, "a long text", || {
-        let text = format!("title = \"x\"\n[helicoid]\na = \"{}\"\n", "t".repeat(4_000_000));
+        let text = format!("title = \"x\"\n[helicoid]\na = \"{}\"\n", "t".repeat(1_000_000));
         let refusal = Plan::parse("long.toml", &text).unwrap_err();
         assert!(refusal.to_string().len() < 100_000, "{}", refusal.to_string().len());
     });
@@ -170,7 +170,7 @@ fn a_text_above_the_limit_is_refused_unread() {
     let text = "#".repeat(usize::try_from(MAX_FILE_SIZE).unwrap() + 1);
     let refusal = Plan::parse("large.toml", &text).unwrap_err();
     assert_eq!(refusal.diagnostics()[0].fault(), Fault::File);
-    assert!(refusal.to_string().contains("16777216"), "{refusal}");
+    assert!(refusal.to_string().contains("1048576"), "{refusal}");
 }
 
 #[test]

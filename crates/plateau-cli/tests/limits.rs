@@ -1,0 +1,189 @@
+//! What is too large is refused before memory is taken for it: the command refuses each file in an address space of 64 MiB,
+//! and the largest experiments that make sense are admitted.
+
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::process::{Command, Stdio};
+
+use plateau::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS, Plan};
+
+const LARGEST: usize = MAX_FILE_SIZE as usize;
+
+/// As many units as fit between a beginning and an end.
+fn filled(size: usize, begin: &str, unit: &str, end: &str) -> String {
+    let count = (size - begin.len() - end.len()) / unit.len();
+    format!("{begin}{}{end}", unit.repeat(count))
+}
+
+fn numbered(size: usize, entry: impl Fn(usize) -> String) -> String {
+    let mut text = String::new();
+    for k in 0.. {
+        let next = entry(k);
+        if text.len() + next.len() > size {
+            break;
+        }
+        text += &next;
+    }
+    text
+}
+
+/// Texts of a size that are costly to read, each in its own way.
+fn costly(size: usize) -> Vec<(&'static str, String)> {
+    let boundary = "title = \"x\"\n[boundary]\nu0 = [";
+    vec![
+        ("points", filled(size, boundary, "[1,2,3],", "]\n")),
+        ("numbers", filled(size, boundary, "1,", "]\n")),
+        ("empty points", filled(size, boundary, "[],", "]\n")),
+        ("methods", filled(size, "title = \"x\"\n", "[[method]]\n", "")),
+        ("named methods", filled(size, "title = \"x\"\n", "[[method]]\nname = \"a\"\n", "")),
+        ("inline methods", filled(size, "title = \"x\"\nmethod = [", "{},", "]\n")),
+        ("published", filled(size, "title = \"x\"\n[[method]]\npublished = [", "{},", "]\n")),
+        ("keys", numbered(size, |k| format!("{k:x} = 1\n"))),
+        ("dotted keys", numbered(size, |k| format!("a{k:x}.b.c.d = 1\n"))),
+        ("digits as keys", numbered(size, |k| format!("{k}.1.2.3 = 1\n"))),
+        ("tables", numbered(size, |k| format!("[t{k:x}]\n"))),
+        ("one table again and again", filled(size, "", "[a]\n", "")),
+        ("nested lists", filled(size, "a = ", "[", "")),
+        ("nested tables", filled(size, "a = ", "{a = ", "")),
+        ("one long dotted key", filled(size, "", "a.", "a = 1")),
+        ("one long key", filled(size, "", "k", " = 1")),
+        ("one long text", filled(size, "title = \"", "t", "\"\n")),
+        ("escapes", filled(size, "title = \"", "\\q", "\"\n")),
+        ("backslashes", filled(size, "title = \"", "\\", "")),
+        ("controls", filled(size, "", "\u{1}", "")),
+        ("equals", filled(size, "", "=\n", "")),
+        ("quotes", filled(size, "", "\"\n", "")),
+        ("quotes in one line", filled(size, "", "\"", "")),
+        ("open lists", filled(size, "", "= [\n", "")),
+        ("comments", filled(size, "", "#\n", "")),
+        ("empty lines", filled(size, "", "\n", "")),
+        ("commas", filled(size, "a = [", ",", "]")),
+    ]
+}
+
+/// Other large demands, each in a small file.
+fn greedy() -> Vec<(&'static str, String)> {
+    let net = "title = \"x\"\n[boundary]\nu0 = [[0,0,0],[1,0,1]]\nu1 = [[0,1,0],[1,1,0]]\nv0 = [[0,0,0],[0,1,0]]\nv1 = [[1,0,1],[1,1,0]]\n";
+    let method = "[[method]]\nname = \"m\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\nsearch = true\n";
+    let rows = "title = \"x\"\n[boundary]\nu0 = [[0,0,0],[1,0,1]]\nu1 = [[0,1,0],[1,1,0]]\n";
+    let helicoid = "title = \"x\"\n[helicoid]\na = 1\nb = 0\nu-span = 3\nv-span = 3\n";
+    vec![
+        (
+            "degree",
+            format!("{rows}u-degree = 1000000000\n[[method]]\nname = \"m\"\nconstruction = \"harmonic\"\n"),
+        ),
+        ("raise", format!("{net}[[method]]\nname = \"m\"\nenergy = \"dirichlet\"\nraise = 1000000000\n")),
+        ("particles", format!("{net}{method}[search]\nparticles = 1000000000000\n")),
+        ("product", format!("{net}{method}[search]\nparticles = 10000\niterations = 10000\nruns = 10000\n")),
+        ("runs", format!("{net}{method}[search]\nruns = 9223372036854775807\n")),
+        (
+            "metric steps",
+            format!("{net}[[method]]\nname = \"m\"\nenergy = \"dirichlet\"\nmetric-steps = 1000000000\n"),
+        ),
+        ("mesh", format!("{net}[[method]]\nname = \"m\"\nenergy = \"dirichlet\"\n[output]\nmesh = 100000\n")),
+        (
+            "mesh beyond",
+            format!(
+                "{net}[[method]]\nname = \"m\"\nenergy = \"dirichlet\"\n[output]\nmesh = 18446744073709551616\n"
+            ),
+        ),
+        ("frames", format!("{helicoid}frames = 1000000000\n")),
+        ("frames and mesh", format!("{helicoid}frames = 1000\n[output]\nmesh = 2000\n")),
+        ("path degree", format!("{helicoid}frames = 3\npath = \"bernstein\"\npath-degree = 1000000000\n")),
+        (
+            "samples",
+            "title = \"x\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0,0],[1,1]]\nsamples = 1000000000\n"
+                .to_owned(),
+        ),
+        ("span", helicoid.replace("u-span = 3", "u-span = 1e300")),
+    ]
+}
+
+/// Exit status and report of `plateau check` in an address space of 64 MiB: what is resident is a part of that.
+fn check(text: &str) -> (Option<i32>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("large.toml");
+    fs::write(&file, text).unwrap();
+    let output = Command::new("sh")
+        .args(["-c", "ulimit -v 65536 && exec \"$0\" check \"$1\"", env!("CARGO_BIN_EXE_plateau")])
+        .arg(&file)
+        .stdin(Stdio::null())
+        .output()
+        .expect("a shell");
+    (output.status.code(), String::from_utf8(output.stderr).expect("UTF-8"))
+}
+
+#[test]
+fn costly_texts_are_refused_in_64_mib() {
+    // As large as is admitted, too large by a byte, and as large as the limits of tokens let pass.
+    for size in [LARGEST, MAX_TOKENS, MAX_TOKENS / 4] {
+        for (name, text) in costly(size) {
+            let (status, report) = check(&text);
+            assert_eq!(status, Some(2), "{name}, {size} bytes: {report}");
+            assert!(report.starts_with("error: ") && report.len() < 20_000, "{name}: {report}");
+            assert!(report.contains("large.toml:"), "{name}, {size} bytes: {report}");
+        }
+    }
+    let (status, report) = check(&"#".repeat(LARGEST + 1));
+    assert_eq!(status, Some(2), "{report}");
+    assert!(report.contains("above the limit of 1048576"), "{report}");
+}
+
+#[test]
+fn greedy_demands_are_refused_in_64_mib_with_the_limit() {
+    for (name, text) in greedy() {
+        let (status, report) = check(&text);
+        assert_eq!(status, Some(2), "{name}: {report}");
+        assert!(report.contains("help: ") && report.chars().any(|c| c.is_ascii_digit()), "{name}: {report}");
+        println!("{name}:\n{report}");
+    }
+}
+
+#[test]
+fn keys_and_tokens_are_counted_where_they_become_too_many() {
+    let text = numbered(LARGEST, |k| format!("{k:x} = 1\n"));
+    let refusal = Plan::parse("keys.toml", &text).unwrap_err();
+    let line = refusal.position(&refusal.diagnostics()[0]).map(|(line, _)| line);
+    assert_eq!((line, refusal.diagnostics().len()), (Some(MAX_KEYS + 1), 1), "{refusal}");
+    let text = "\n".repeat(MAX_TOKENS + 1);
+    let refusal = Plan::parse("tokens.toml", &text).unwrap_err();
+    let line = refusal.position(&refusal.diagnostics()[0]).map(|(line, _)| line);
+    assert_eq!(line, Some(MAX_TOKENS + 1), "{refusal}");
+}
+
+/// Four sides of degree 64 and a thousand methods, each with several expected numbers, all with 17 digits; 40 000 samples.
+#[test]
+fn the_largest_experiments_are_admitted() {
+    let side = |f: &dyn Fn(f64) -> [f64; 3]| -> String {
+        let points: Vec<String> = (0..=64)
+            .map(|k| f(f64::from(k) / 64.0))
+            .map(|p| format!("[{:.16e}, {:.16e}, {:.16e}]", p[0], p[1], p[2]))
+            .collect();
+        points.join(", ")
+    };
+    let z = |u: f64, v: f64| (u - v) / 3.0;
+    let mut text = format!(
+        "title = \"largest\"\n[boundary]\nu0 = [{}]\nu1 = [{}]\nv0 = [{}]\nv1 = [{}]\n",
+        side(&|t| [0.0, t, z(0.0, t)]),
+        side(&|t| [1.0, t, z(1.0, t)]),
+        side(&|t| [t, 0.0, z(t, 0.0)]),
+        side(&|t| [t, 1.0, z(t, 1.0)]),
+    );
+    for k in 0..1000 {
+        text += &format!(
+            "[[method]]\nname = \"method {k}\"\nbasis = \"bernstein\"\nenergy = \"dirichlet\"\n[method.expect]\n\
+             dirichlet = 1.1111111111111111\narea = 1.1055415967851332\n"
+        );
+    }
+    assert!(text.len() < LARGEST / 4, "{}", text.len());
+    assert!(Plan::parse("largest.toml", &text).is_ok_and(|plan| plan.text.len() == text.len()));
+    let samples: Vec<String> = (0..40_000).map(|k| format!("{:.17}", f64::from(k) / 40_000.0)).collect();
+    let text = format!(
+        "title = \"c\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0,0],[1,1]]\nsamples = [{}]\n",
+        samples.join(", ")
+    );
+    if let Err(refusal) = Plan::parse("samples.toml", &text) {
+        panic!("{refusal}");
+    }
+}
