@@ -35,12 +35,12 @@ pub const MAX_DEGREE: usize = 64;
 
 /// Largest admissible |coordinate| of a control point.
 ///
-/// Areas are products of four lengths under a root, curvatures quotients of such products, and some formats write single
-/// precision: within the limits all of them are finite, at any degree, and none is lost to underflow.
-pub const MAX_COORDINATE: f64 = 1e30;
+/// Areas are roots of products of four lengths, curvatures quotients of such products: within the limits all of them are
+/// finite, at any degree, and none is lost to underflow.
+pub const MAX_COORDINATE: f64 = 1e60;
 
 /// Least admissible size of a boundary: the largest |coordinate| of its control points, unless all are 0.
-pub const MIN_SIZE: f64 = 1e-30;
+pub const MIN_SIZE: f64 = 1e-60;
 
 /// Most subdivisions of a mesh per side.
 const LARGEST_MESH: usize = 2000;

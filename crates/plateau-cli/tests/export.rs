@@ -241,8 +241,20 @@ fn step_files_hold_the_net_of_a_bernstein_patch() {
 
 #[test]
 fn refused_files_leave_the_result() {
+    for size in ["6e50", "1e-45"] {
+        refused_at(size);
+    }
+}
+
+/// A net with one far corner, or so small that single precision holds few of its digits.
+fn refused_at(size: &str) {
     let folder = Folder::new("refused");
-    let far = NET.replace("[6, 6, 0]", "[6e100, 6, 0]");
+    let far = match size {
+        "6e50" => NET.replace("[6, 6, 0]", "[6e50, 6, 0]"),
+        _ => "[boundary]\nu0 = [[0,0,0],[0,1e-45,0]]\nu1 = [[1e-45,0,0],[1e-45,1e-45,1e-45]]\n\
+              v0 = [[0,0,0],[1e-45,0,0]]\nv1 = [[0,1e-45,0],[1e-45,1e-45,1e-45]]\n"
+            .to_owned(),
+    };
     let text = format!("title = 'far'\n{far}[[method]]\nname = 'far'\nenergy = 'dirichlet'\n{FORMATS}");
     let plan = Plan::parse("far.toml", &text).unwrap();
     let delivered = deliver(&plan, &run(&plan, Options::default(), &()).unwrap(), &folder.0).unwrap();

@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use serde_json::{Map, Value, json};
 use surfaces::{Mesh, Point};
 
-use super::{Export, Subject, colour, extent};
+use super::{Export, Subject, colour, extent, fits_single};
 
 /// Which parameter of a vertex, index or key frame a number is, in the terms of glTF.
 const FLOAT: u32 = 5126;
@@ -33,6 +33,12 @@ pub(crate) struct Motion<'a> {
     pub(crate) keys: Vec<(f64, Vec<f64>)>,
 }
 
+fn beyond_single() -> io::Error {
+    let why =
+        "its coordinates are beyond the single precision of glTF: scale the points, or write another format";
+    io::Error::new(io::ErrorKind::InvalidData, why)
+}
+
 /// Writes the whole file.
 ///
 /// # Errors
@@ -44,6 +50,9 @@ pub(crate) fn write(
     motion: Option<&Motion<'_>>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
+    if !fits_single(&mesh.points) {
+        return Err(beyond_single());
+    }
     let mut buffer = Buffer::default();
     let vectors = |points: &[Point]| -> Vec<[f32; 3]> {
         points.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect()
@@ -150,10 +159,7 @@ impl Buffer {
 
     fn vectors(&mut self, vectors: &[[f32; 3]]) -> io::Result<usize> {
         if !vectors.iter().flatten().all(|x| x.is_finite()) {
-            return Err(io::Error::new(
-                io::ErrorKind::InvalidData,
-                "a coordinate is beyond the single precision of glTF: scale the points, or write another format",
-            ));
+            return Err(beyond_single());
         }
         let bytes = vectors.iter().flatten().flat_map(|x| x.to_le_bytes());
         Ok(self.accessor(bytes, Some(ARRAY_BUFFER), FLOAT, "VEC3", vectors.len()))

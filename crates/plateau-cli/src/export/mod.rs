@@ -14,7 +14,7 @@ mod vtu;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-use surfaces::Mesh;
+use surfaces::{Mesh, Point};
 use thiserror::Error;
 
 use crate::{DeliverError, Family, Format, Surface, atomic};
@@ -121,6 +121,15 @@ fn encode(
     };
     put(&|out| exporter.write(subject, out))?;
     Ok(None)
+}
+
+/// Whether single precision holds points: none overflows, and the box around them keeps its size.
+fn fits_single(points: &[Point]) -> bool {
+    const HALF_OF_THE_DIGITS: f64 = 4096.0;
+    let extent = diagonal(points.iter().map(|&p| p.into()));
+    let largest = points.iter().flat_map(|&p| <[f64; 3]>::from(p)).fold(0.0, |m: f64, x| m.max(x.abs()));
+    largest <= f64::from(f32::MAX)
+        && (extent == 0.0 || extent >= HALF_OF_THE_DIGITS * f64::from(f32::MIN_POSITIVE))
 }
 
 /// The diagonal of the least box around points.

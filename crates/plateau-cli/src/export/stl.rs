@@ -4,7 +4,7 @@ use std::io::{self, ErrorKind, Write};
 
 use surfaces::Point;
 
-use super::{Export, Subject};
+use super::{Export, Subject, fits_single};
 
 /// Bytes of the free text at the head of the file.
 const HEADER: usize = 80;
@@ -16,6 +16,11 @@ impl Export for Stl {
     /// `InvalidData` if a coordinate is beyond single precision, which the format cannot hold; else what `out` says.
     fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()> {
         let mesh = subject.mesh;
+        if !fits_single(&mesh.points) {
+            return Err(invalid(
+                "its coordinates are beyond the single precision of STL: scale the points, or write another format",
+            ));
+        }
         // Some programs take any file that begins with "solid" for the text form.
         let mut header: Vec<u8> = format!("plateau: {}", subject.name).into_bytes();
         header.resize(HEADER, b' ');
@@ -28,11 +33,6 @@ impl Export for Stl {
             let normal = (q - p).cross(r - p).unit().unwrap_or(Point::ZERO);
             for point in [normal, p, q, r] {
                 for x in [point.x as f32, point.y as f32, point.z as f32] {
-                    if !x.is_finite() {
-                        return Err(invalid(
-                            "a coordinate is beyond the single precision of STL: scale the points, or write another format",
-                        ));
-                    }
                     out.write_all(&x.to_le_bytes())?;
                 }
             }

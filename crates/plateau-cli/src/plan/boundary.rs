@@ -96,7 +96,7 @@ fn large_enough(check: &mut Check<'_>, spec: &BoundarySpec) -> bool {
         format!("the points of [boundary] are too small: the largest coordinate, {place}, is {} (points are counted from 0)", shown(size)),
         "the largest of all",
         "areas of so small a boundary leave the range of double precision: choose a smaller unit of length, in which the largest \
-         coordinate is at least 1e-30",
+         coordinate is at least 1e-60",
     );
     false
 }

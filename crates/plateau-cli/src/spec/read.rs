@@ -329,7 +329,7 @@ fn structure(
             format!("`{key}`{inside} holds a number too large to be represented"),
             "too large",
         )
-        .help("whole numbers end at 2^63 - 1 and others at 1.8e308; coordinates are admitted up to 1e30: choose a larger unit");
+        .help("whole numbers end at 2^63 - 1 and others at 1.8e308; coordinates are admitted up to 1e60: choose a larger unit");
     }
     Diagnostic::at(Fault::WrongType, span, format!("`{key}`{inside} cannot be read"), shorten(message))
         .help("compare it with a template: `plateau new tensor` prints one")
