@@ -1,6 +1,8 @@
 //! Degenerate boundaries, masks, shapes, spans and degrees: a warning or an error that names the cause, and no number that
 //! is not finite in any file that is written.
 
+#![allow(clippy::print_stdout)] // The counts are the figures asked for.
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -136,7 +136,6 @@ fn greedy_demands_are_refused_in_64_mib_with_the_limit() {
         let (status, report) = check(&text);
         assert_eq!(status, Some(2), "{name}: {report}");
         assert!(report.contains("help: ") && report.chars().any(|c| c.is_ascii_digit()), "{name}: {report}");
-        println!("{name}:\n{report}");
     }
 }
 
