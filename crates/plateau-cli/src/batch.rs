@@ -1,6 +1,6 @@
 //! `run`: every experiment in turn, its table on stdout, its folder written before the next one starts.
 
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::time::Duration;
 
 use plateau::{
@@ -20,14 +20,7 @@ pub(crate) fn run(arguments: &RunArguments, stdout: &mut impl Write) -> Result<(
     listen();
     let mut outlet = Outlet::new(stdout);
     let outcome = experiments(&plans, arguments, &mut outlet);
-    match (outcome, outlet.finish()) {
-        (Ok(()), output) => Ok(output?),
-        (Err(failure), Err(error)) if error.kind() != ErrorKind::BrokenPipe => {
-            say(&format!("error: the output cannot be written: {error}"));
-            Err(failure)
-        }
-        (Err(failure), _) => Err(failure),
-    }
+    outlet.conclude(outcome)
 }
 
 fn experiments(plans: &[Plan], arguments: &RunArguments, stdout: &mut impl Write) -> Result<(), Failure> {

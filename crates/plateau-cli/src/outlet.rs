@@ -1,6 +1,8 @@
 //! Standard output that may fail without stopping the work.
 
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
+
+use crate::command::{Failure, say};
 
 /// Passes on what is written until that fails once; from then on everything is dropped, for results are kept on disk and
 /// not to be lost because nobody listens.
@@ -14,10 +16,19 @@ impl<'a, W: Write> Outlet<'a, W> {
         Self { inner, error: None }
     }
 
-    /// The first failure, if there was one.
-    pub(crate) fn finish(mut self) -> io::Result<()> {
+    /// What comes of the work and of the output together: a failure of the work is the graver one.
+    pub(crate) fn conclude(mut self, outcome: Result<(), Failure>) -> Result<(), Failure> {
         self.flush()?;
-        self.error.map_or(Ok(()), Err)
+        match (outcome, self.error) {
+            (outcome, None) => outcome,
+            (Ok(()), Some(error)) => Err(error.into()),
+            (Err(failure), Some(error)) => {
+                if error.kind() != ErrorKind::BrokenPipe {
+                    say(&format!("error: the output cannot be written: {error}"));
+                }
+                Err(failure)
+            }
+        }
     }
 }
 

@@ -8,14 +8,21 @@ use plateau::{Level, ReadError, Verification, VerifyError, verify};
 use crate::bars::Bars;
 use crate::command::{Failure, VerifyArguments, say, start_threads};
 use crate::interrupt::listen;
+use crate::outlet::Outlet;
 
 /// Most differences of a method that are printed.
 const SHOWN: usize = 5;
 
-/// Verifies every file; the worst outcome is the status.
+/// Verifies every file; the worst outcome is the status, whoever listens.
 pub(crate) fn results(arguments: &VerifyArguments, stdout: &mut impl Write) -> Result<(), Failure> {
     start_threads(arguments.threads)?;
     listen();
+    let mut outlet = Outlet::new(stdout);
+    let outcome = verified(arguments, &mut outlet);
+    outlet.conclude(outcome)
+}
+
+fn verified(arguments: &VerifyArguments, stdout: &mut impl Write) -> Result<(), Failure> {
     let bars = Bars::new(arguments.quiet);
     let (mut readable, mut equal) = (true, true);
     for (k, path) in arguments.results.iter().enumerate() {
@@ -32,7 +39,10 @@ pub(crate) fn results(arguments: &VerifyArguments, stdout: &mut impl Write) -> R
                 }
                 stdout.flush()?;
             }
-            Err(VerifyError::Interrupted) => return Err(Failure::Interrupted),
+            Err(VerifyError::Interrupted) => {
+                say(&format!("interrupted: {k} of {} results verified", arguments.results.len()));
+                return Err(Failure::Interrupted);
+            }
             Err(error) => {
                 let help = match error {
                     VerifyError::Read(ReadError::Missing { .. }) => "",
@@ -100,6 +110,13 @@ fn report(path: &Path, verification: &Verification, stdout: &mut impl Write) -> 
             let said = |value: &Option<String>| value.clone().unwrap_or_else(|| "nothing".into());
             let (stored, computed) = (said(&difference.stored), said(&difference.computed));
             writeln!(stdout, "      {}: the file has {stored}, computed is {computed}", difference.key)?;
+        }
+        if entry.differs_in_bits_only {
+            let (tolerance, searched) = (Level::TOLERANCE, Level::SEARCHED);
+            writeln!(
+                stdout,
+                "      its figures and nets agree within {tolerance:e} ({searched:e} after a search)"
+            )?;
         }
         if let Some(more @ 1..) = entry.differences.len().checked_sub(SHOWN) {
             writeln!(stdout, "      and {more} more")?;

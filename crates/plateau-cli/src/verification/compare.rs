@@ -110,8 +110,12 @@ fn text(value: &Value) -> String {
 }
 
 impl Comparison {
-    pub(super) fn named(self, name: String) -> Verified {
-        Verified { name, compared: self.compared, differences: self.differences }
+    pub(super) fn agrees(&self) -> bool {
+        self.differences.is_empty()
+    }
+
+    pub(super) fn named(self, name: String, differs_in_bits_only: bool) -> Verified {
+        Verified { name, compared: self.compared, differences: self.differences, differs_in_bits_only }
     }
 
     fn differ(&mut self, key: &str, stored: Option<String>, computed: Option<String>) {
