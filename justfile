@@ -11,7 +11,7 @@ example:
 test:
     cargo test --workspace --release
 
-# SIGKILL at 200 random moments of a batch: nothing finished is lost, resumed runs have the bytes of undisturbed ones. Two minutes.
+# SIGKILL at 200 random moments of a batch: nothing finished is lost, resumed runs have the bytes of undisturbed ones. Three minutes.
 kill:
     cargo test --release -p plateau-cli --test crashes -- --ignored --nocapture
 
@@ -19,9 +19,15 @@ kill:
 repeat:
     cargo test --release -p plateau-cli --test reproducibility -- --ignored --nocapture
 
-# How often the swarm finds known minima, 100 seeds each.
+# How often the swarm finds known minima, 100 seeds each; `just success-rates-peer` asks pyswarms the same.
 success-rates:
     cargo run --release -p optim --example success_rates
+
+# The same of pyswarms. Two minutes.
+success-rates-peer:
+    python3 -m venv target/peer-venv
+    target/peer-venv/bin/pip install --quiet -r benches/peer/requirements.txt
+    target/peer-venv/bin/python benches/peer/success_rates.py
 
 # Everything CI checks.
 ci:

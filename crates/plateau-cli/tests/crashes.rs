@@ -167,7 +167,7 @@ fn ten_kills_lose_nothing() {
 }
 
 #[test]
-#[ignore = "two minutes: `just kill`"]
+#[ignore = "three minutes: `just kill`"]
 fn two_hundred_kills_lose_nothing() {
     kill(50, 4);
 }
