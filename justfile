@@ -11,7 +11,7 @@ example:
 test:
     cargo test --workspace --release
 
-# SIGKILL at 200 random moments of a batch: nothing finished is lost, resumed runs have the bytes of undisturbed ones. Three minutes.
+# SIGKILL at 200 random moments of a batch: nothing finished is lost, resumed runs have the bytes of undisturbed ones. A minute, three on a busy machine.
 kill:
     cargo test --release -p plateau-cli --test crashes -- --ignored --nocapture
 

@@ -167,7 +167,7 @@ fn ten_kills_lose_nothing() {
 }
 
 #[test]
-#[ignore = "three minutes: `just kill`"]
+#[ignore = "a minute: `just kill`"]
 fn two_hundred_kills_lose_nothing() {
     kill(50, 4);
 }
