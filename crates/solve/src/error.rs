@@ -228,3 +228,59 @@ pub(crate) fn from_sparse_lu(error: LuError, order: usize, bytes: usize) -> Solv
 pub(crate) fn from_alloc(_: AllocError, bytes: usize) -> SolveError {
     SolveError::OutOfMemory { bytes }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lack_of_memory_is_never_a_property_of_the_matrix() {
+        let memory = SolveError::OutOfMemory { bytes: 640 };
+        assert_eq!(from_faer(FaerError::OutOfMemory, 640), memory);
+        assert_eq!(from_creation(CreationError::Generic(FaerError::OutOfMemory), 8, 640), memory);
+        assert_eq!(from_sparse_lu(LuError::Generic(FaerError::OutOfMemory), 8, 640), memory);
+        assert_eq!(from_alloc(AllocError, 640), memory);
+        assert!(memory.to_string().starts_with("out of memory: 640 bytes"));
+    }
+
+    #[test]
+    fn a_singular_matrix_is_never_lack_of_memory() {
+        assert_eq!(
+            from_sparse_lu(LuError::SymbolicSingular { index: 3 }, 8, 640),
+            SolveError::Singular { order: 8, reciprocal_condition: 0.0 }
+        );
+        let pivot = from_llt(LltError::NonPositivePivot { index: 3 }, 8);
+        assert_eq!(pivot, SolveError::NotPositiveDefinite { order: 8, pivot: Some(3), condition: None });
+        assert!(matches!(from_faer(FaerError::IndexOverflow, 640), SolveError::TooLarge { .. }));
+        let outside = from_creation(CreationError::OutOfBounds { row: 9, col: 2 }, 8, 640);
+        assert!(matches!(outside, SolveError::WrongIndex { index: 9, bound: 8, .. }));
+        assert!(
+            from_svd(SvdError::NoConvergence, 8)
+                .to_string()
+                .contains("singular values of a matrix of order 8")
+        );
+        assert!(from_evd(EvdError::NoConvergence, 8).to_string().contains("eigenvalues"));
+    }
+
+    #[test]
+    fn indefinite_matrices_are_told_with_all_that_is_known() {
+        for (pivot, condition, said) in [
+            (Some(4), Some(2e17), "pivot 4 is not positive, condition about 2.0e17"),
+            (Some(4), None, "pivot 4 is not positive)"),
+            (None, Some(2e17), "(condition about 2.0e17)"),
+            (None, None, "no condition estimate"),
+        ] {
+            let text = SolveError::NotPositiveDefinite { order: 9, pivot, condition }.to_string();
+            assert!(text.contains(said) && text.contains("order 9"), "{text}");
+        }
+    }
+
+    #[test]
+    fn places_are_named() {
+        let text = |place| SolveError::NotFinite { place, row: 1, column: 2 }.to_string();
+        let named = [Place::Matrix, Place::RightHandSide, Place::Solution, Place::Parameters].map(text);
+        for (text, name) in named.iter().zip(["matrix", "right-hand side", "solution", "parameters"]) {
+            assert_eq!(text, &format!("the {name} holds a number that is not finite in row 1, column 2"));
+        }
+    }
+}

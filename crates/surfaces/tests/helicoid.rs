@@ -324,3 +324,30 @@ fn bad_helicoids_are_errors() {
     let message = Helicoid::new(1.0, 1.0, 1.0, 8.0).unwrap().patch().unwrap_err().to_string();
     assert!(message.contains("7.853204624095837"), "{message}");
 }
+
+#[test]
+fn pieces_are_their_patches_and_cuts() {
+    let whole = Helicoid::new(1.0, 2.0, 1.0, 20.0).unwrap().pieces().unwrap();
+    let [u, v] = whole.cuts().map(<[f64]>::to_vec);
+    let patches = whole.patches().to_vec();
+    let [rows, cols] = whole.shape();
+    assert_eq!((rows, cols), (1, 3));
+    let again = Pieces::from_patches(u.clone(), v.clone(), patches.clone()).unwrap();
+    assert_eq!(jets(&again, 40), jets(&whole, 40));
+    let refused = |u: &[f64], v: &[f64], patches: &[TensorPatch]| {
+        Pieces::from_patches(u.to_vec(), v.to_vec(), patches.to_vec()).unwrap_err()
+    };
+    let interval = |error: SurfaceError, axis: &str| {
+        assert!(matches!(error, SurfaceError::Interval { name, .. } if name == axis), "{error}");
+    };
+    interval(refused(&[], &v, &patches), "u");
+    interval(refused(&u, &[v[0]], &patches), "v");
+    interval(refused(&u, &[v[1], v[0]], &patches[..1]), "v");
+    interval(refused(&u, &[v[0], f64::NAN], &patches[..1]), "v");
+    interval(refused(&[u[0], 2.0 * u[1]], &v, &patches), "u");
+    let error = refused(&u, &v, &patches[1..]);
+    assert!(matches!(error, SurfaceError::Size { rows: 1, cols: 3, found: 2 }), "{error}");
+    let many: Vec<f64> = (0..Pieces::MAX_PIECES + 2).map(|k| k as f64).collect();
+    let error = refused(&u, &many, &patches);
+    assert!(matches!(error, SurfaceError::TooManyPieces { name: "v", .. }), "{error}");
+}
