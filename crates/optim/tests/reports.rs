@@ -72,7 +72,7 @@ fn polishes_say_which_bounds_bind() {
 fn objectives_by_reference_are_the_objectives() {
     let sphere = FnObjective::new(2, |x: &[f64]| x[0] * x[0] + x[1] * x[1]);
     assert_eq!(swarm(&sphere), swarm(&&sphere));
-    assert_eq!((&sphere).value(&[3.0, 4.0]), 25.0);
+    assert_eq!(Objective::value(&&sphere, &[3.0, 4.0]), 25.0);
     let (bowl, bounds) = (bowl(), Bounds::cube(2, -1.0, 1.0).unwrap());
     assert_eq!(Smooth::dimension(&&bowl), 2);
     let start = [0.1, 0.9];
