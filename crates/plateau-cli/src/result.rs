@@ -98,6 +98,8 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     basis_condition: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    certified: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     area_extremal: Option<AreaEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     boundary_deviation: Option<f64>,
@@ -286,6 +288,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         residual: solve.and_then(|s| finite(s.residual)),
         condition: solve.and_then(|s| finite(s.condition)),
         basis_condition: solve.and_then(|s| s.basis_condition).and_then(finite),
+        certified: solve.and_then(|s| s.certified),
         area_extremal: done.solved.area.map(|found| AreaEntry {
             start_area: found.start,
             gradient: found.gradient,
