@@ -73,6 +73,22 @@ lint:
 book *ARGUMENTS:
     mdbook build docs {{ARGUMENTS}}
 
+# Every figure of docs/reliability.md: under twenty minutes after the build. The Evolver, LLVM's tools and cargo-fuzz are used where they are there.
+reliability: figures success-rates repeat kill
+    cargo test --release -p optim --test search_laws -- --nocapture
+    cargo test --release -p solve --lib error
+    cargo test --release -p plateau-cli --test fixtures --test high_degree --test reproducibility --test crashes --test full_disk
+    cargo test --release -p plateau-cli --test spec_corpus --test limits --test magnitudes --test degenerate -- --nocapture --test-threads 1
+    cargo run --release --quiet -- reproduce
+    if command -v evolver; then just evolver; else echo "left out: the Surface Evolver is not installed"; fi
+    if command -v cargo-llvm-cov; then just coverage; else echo "left out: coverage needs cargo-llvm-cov"; fi
+    if command -v cargo-fuzz; then just fuzz 60; else echo "left out: fuzzing needs cargo-fuzz"; fi
+
+# Lines covered by tests, crate by crate. `cargo install cargo-llvm-cov --locked`; LLVM_COV and LLVM_PROFDATA name LLVM's tools where rustup has none.
+coverage:
+    cargo llvm-cov --release --workspace --exclude plateau-benches --json --summary-only --output-path target/coverage.json
+    python3 docs/reliability/coverage.py target/coverage.json
+
 # Fuzz experiment files, bases and the reader of results, SECONDS each (`cargo install cargo-fuzz --locked` first). Stable compilers
 # are told to accept the flags; nothing in the workspace has unsafe code, so no sanitizer is needed beyond the checks.
 fuzz SECONDS="600":

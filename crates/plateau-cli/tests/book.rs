@@ -89,4 +89,6 @@ fn quoted_tables_are_those_of_the_program() {
     quotes("tour.md", published.lines().last().expect("the counts"));
     let plan = Plan::parse("first.toml", Template::Tensor.text()).unwrap();
     quotes("tour.md", &table(&run(&plan, Options::default(), &()).unwrap()));
+    let plan = Plan::read(docs().join("../fixtures/gt-5.1.toml")).unwrap();
+    quotes("../README.md", &table(&run(&plan, Options::default(), &()).unwrap()));
 }
