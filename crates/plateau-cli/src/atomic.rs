@@ -1,7 +1,7 @@
 //! Files that are either whole or not there.
 
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::fs::{self, File, TryLockError};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
 
 /// How the names of files begin that are not whole yet.
@@ -19,46 +19,119 @@ pub(crate) fn write(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result
     fill(&mut file)?;
     let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
     file.as_file().sync_all()?;
-    let file = file.persist(path)?;
-    allow_others_to_read(&file)?;
-    // The rename itself is durable only once the folder is.
-    File::open(folder).and_then(|folder| folder.sync_all())
+    file.persist(path)?;
+    // The rename itself is durable only once the folder is; elsewhere folders cannot be opened.
+    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
 }
 
-/// Makes a folder, removes from it what killed writers left, and sees whether files can be made in it.
+/// A folder that this process alone writes to: other processes that want it are refused, until this is dropped or the
+/// process ends, however it ends. Where folders cannot be locked, nobody is.
+#[derive(Debug)]
+#[must_use = "the folder is anyone's again as soon as this is dropped"]
+pub struct Claim(#[allow(dead_code, reason = "held for its lock")] Option<File>);
+
+impl Claim {
+    fn of(folder: &Path) -> io::Result<Self> {
+        let Ok(handle) = File::open(folder) else { return Ok(Self(None)) };
+        match handle.try_lock() {
+            Ok(()) => Ok(Self(Some(handle))),
+            Err(TryLockError::Error(_)) => Ok(Self(None)),
+            Err(TryLockError::WouldBlock) => {
+                Err(io::Error::new(ErrorKind::ResourceBusy, "another run is writing to this folder"))
+            }
+        }
+    }
+}
+
+/// Makes a folder, claims it, removes from it what killed writers left, and sees whether files can be made in it.
 ///
 /// # Errors
-/// Whatever the file system says.
-pub(crate) fn prepare(folder: &Path) -> io::Result<()> {
+/// Whatever the file system says; [`ErrorKind::ResourceBusy`] if another process has claimed the folder.
+pub(crate) fn prepare(folder: &Path) -> io::Result<Claim> {
     fs::create_dir_all(folder)?;
+    let claim = Claim::of(folder)?;
+    clean(folder)?;
+    unfinished(folder)?.close()?;
+    Ok(claim)
+}
+
+fn clean(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {
             // A writer that lives holds the lock; a file that stays is harmless.
             let path = entry.path();
-            if File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+            if let Ok(file) = File::open(&path)
+                && file.try_lock().is_ok()
+            {
+                // Removed under the lock, lest its writer gets that meanwhile.
                 let _ = fs::remove_file(&path);
             }
         }
     }
-    unfinished(folder)?.close()
+    Ok(())
 }
 
 fn unfinished(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let file = tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(folder)?;
-    // Where the file system has no locks, nothing is ever taken for left behind.
-    let _ = file.as_file().try_lock();
-    Ok(file)
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(UNFINISHED);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // Temporary files are private; results are as the user's mask wants them.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    loop {
+        let file = builder.tempfile_in(folder)?;
+        match file.as_file().try_lock() {
+            // Somebody who cleans came before the lock, and takes the file for left behind.
+            Ok(()) if !file.path().exists() => {}
+            Err(TryLockError::WouldBlock) => {}
+            // Where the file system has no locks, nothing is ever taken for left behind.
+            Ok(()) | Err(TryLockError::Error(_)) => return Ok(file),
+        }
+    }
 }
 
-#[cfg(unix)]
-fn allow_others_to_read(file: &File) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    // Temporary files are private; results are not.
-    file.set_permissions(fs::Permissions::from_mode(0o644))
-}
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-#[cfg(not(unix))]
-fn allow_others_to_read(_: &File) -> io::Result<()> {
-    Ok(())
+    use super::*;
+
+    #[test]
+    fn cleaning_takes_no_file_from_a_writer() {
+        let folder = tempfile::tempdir().unwrap();
+        let done = AtomicBool::new(false);
+        std::thread::scope(|scope| {
+            for _ in 0..2 {
+                scope.spawn(|| {
+                    while !done.load(Relaxed) {
+                        clean(folder.path()).unwrap();
+                    }
+                });
+            }
+            // A failure must end the cleaners, too.
+            let written: io::Result<Vec<()>> = (0..2000)
+                .map(|k| {
+                    let file = unfinished(folder.path())?;
+                    file.persist(folder.path().join(format!("{}", k % 3)))?;
+                    Ok(())
+                })
+                .collect();
+            done.store(true, Relaxed);
+            assert!(written.is_ok(), "{written:?}");
+        });
+    }
+
+    #[test]
+    fn a_folder_is_claimed_by_one_at_a_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let claim = prepare(folder.path()).unwrap();
+        assert_eq!(prepare(folder.path()).unwrap_err().kind(), ErrorKind::ResourceBusy);
+        drop(claim);
+        let _again = prepare(folder.path()).unwrap();
+        // Files are written whoever holds the claim.
+        write(&folder.path().join("x"), |out| out.write_all(b"x")).unwrap();
+    }
 }

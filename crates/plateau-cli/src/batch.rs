@@ -78,13 +78,16 @@ fn experiment(
     stdout: &mut impl Write,
 ) -> Result<Outcome, Failure> {
     let (out, folder) = (&arguments.out, arguments.out.join(&plan.stem));
-    if let Err(error) = prepare(plan, out) {
-        say(&format!(
-            "error: {}: not run, for its result could not be written: {error}; --out names another folder",
-            plan.file
-        ));
-        return Ok(Outcome::Unsound);
-    }
+    let _claim = match prepare(plan, out) {
+        Ok(claim) => claim,
+        Err(error) => {
+            say(&format!(
+                "error: {}: not run, for its result could not be written: {error}; --out names another folder",
+                plan.file
+            ));
+            return Ok(Outcome::Unsound);
+        }
+    };
     let interval = Duration::from_secs_f64(arguments.checkpoint_every);
     let checkpoint = Checkpoint::new(&folder, Manifest::new(plan, options), interval);
     if arguments.resume {

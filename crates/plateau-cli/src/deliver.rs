@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use surfaces::Mesh;
 use thiserror::Error;
 
+use crate::atomic::Claim;
 use crate::export::{ExportError, Subject};
 use crate::picture::pictures;
 use crate::report_html::page;
@@ -42,11 +43,12 @@ pub struct Delivered {
 }
 
 /// Makes the folder of an experiment ready: it is there, files can be made in it, and what killed runs left half-written in
-/// it is gone. To be called before the experiment is run: what cannot be kept need not be computed.
+/// it is gone. To be called before the experiment is run: what cannot be kept need not be computed. While the claim lives,
+/// no other process prepares the same folder: the files of two runs never mix.
 ///
 /// # Errors
 /// [`DeliverError`] names the folder.
-pub fn prepare(plan: &Plan, out: &Path) -> Result<(), DeliverError> {
+pub fn prepare(plan: &Plan, out: &Path) -> Result<Claim, DeliverError> {
     let folder = out.join(&plan.stem);
     atomic::prepare(&folder).map_err(|source| DeliverError { path: folder, source })
 }

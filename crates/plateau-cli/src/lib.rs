@@ -63,6 +63,7 @@ mod template;
 mod verification;
 
 pub use arithmetic::Arithmetic;
+pub use atomic::Claim;
 pub use boundary_figures::BoundaryFigures;
 pub use checkpoint::{CHECKPOINT_FILE, Checkpoint, CheckpointError};
 pub use closed_form::ClosedForm;

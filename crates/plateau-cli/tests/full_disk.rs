@@ -220,3 +220,64 @@ fn what_killed_runs_left_is_removed() {
     assert!(plateau(folder.path()).output().unwrap().status.success());
     assert!(!stale.exists() && held.exists());
 }
+
+#[test]
+fn a_folder_that_another_run_writes_to_is_left_to_it() {
+    let folder = folder();
+    let a = folder.path().join("out/a");
+    fs::create_dir_all(&a).unwrap();
+    let other = fs::File::open(&a).unwrap();
+    other.lock().unwrap();
+    let output = plateau(folder.path()).output().unwrap();
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(
+        said.starts_with("error: a.toml: not run, ") && said.contains("out/a: another run is writing to"),
+        "{said}"
+    );
+    assert_eq!(fs::read_dir(&a).unwrap().count(), 0);
+    is_whole(folder.path(), "b");
+    drop(other);
+    assert!(plateau(folder.path()).output().unwrap().status.success());
+    is_whole(folder.path(), "a");
+}
+
+#[test]
+fn several_runs_at_once_leave_the_files_of_one() {
+    let folder = folder();
+    let contents = || -> Vec<(String, Vec<u8>)> {
+        let files = fs::read_dir(folder.path().join("out/a")).unwrap().map(|file| file.unwrap());
+        let mut files: Vec<_> = files
+            .map(|file| (file.file_name().into_string().unwrap(), fs::read(file.path()).unwrap()))
+            .collect();
+        files.sort();
+        files
+    };
+    assert!(plateau(folder.path()).output().unwrap().status.success());
+    let alone = contents();
+    for _ in 0..4 {
+        fs::remove_dir_all(folder.path().join("out")).unwrap();
+        let start = |_| plateau(folder.path()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let children: Vec<_> = (0..6).map(start).collect();
+        for child in children {
+            let output = child.wait_with_output().unwrap();
+            // Whoever came late was told so; nobody failed on the way.
+            let said = text(&output.stderr);
+            assert!(said.lines().all(|line| line.contains("another run is writing to")), "{said}");
+            assert_eq!(output.status.code(), Some(i32::from(!said.is_empty())));
+        }
+        assert!(contents() == alone);
+    }
+}
+
+#[test]
+fn results_are_as_readable_as_the_user_wants_his_files() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = folder();
+    for (mask, mode) in [("022", 0o644), ("077", 0o600), ("002", 0o664)] {
+        let output = shell(folder.path(), &format!("umask {mask}; exec \"$0\" run a.toml"));
+        assert!(output.status.success(), "{output:?}");
+        let metadata = fs::metadata(folder.path().join("out/a/result.json")).unwrap();
+        assert_eq!(metadata.permissions().mode() & 0o777, mode, "umask {mask}");
+    }
+}
