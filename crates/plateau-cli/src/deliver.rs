@@ -129,6 +129,9 @@ fn deformation(finished: &Finished) -> Option<(&Mesh, &Mesh, Vec<[f64; 2]>)> {
     Some((&done.first()?.mesh, &done.last()?.mesh, weights))
 }
 
+/// Most bytes of a method's name in that of a file: file systems take 255, extension and number included.
+const LONGEST_NAME: usize = 200;
+
 /// Names of methods as names of files: lower case, words joined by dashes, made distinct by a number where needed.
 pub(crate) fn file_names<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut files: Vec<String> = Vec::new();
@@ -139,6 +142,7 @@ pub(crate) fn file_names<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String
             .map(str::to_lowercase)
             .collect();
         let mut base: String = words.join("-").chars().take(80).collect();
+        base.truncate(base.floor_char_boundary(LONGEST_NAME));
         if base.is_empty() {
             base = "method".into();
         }
@@ -164,5 +168,15 @@ mod tests {
             file_names(names.into_iter()),
             ["gt-dirichlet-pso", "etc", "gt-dirichlet-pso-2", "method", "method-2"]
         );
+    }
+
+    #[test]
+    fn file_names_are_short_enough_for_file_systems() {
+        for letter in ["a", "é", "語", "𝒜", "İ"] {
+            let long = letter.repeat(300);
+            let names = file_names([long.as_str(), long.as_str()].into_iter());
+            assert!(names.iter().all(|name| (80..=220).contains(&name.len())), "{names:?}");
+            assert_ne!(names[0], names[1]);
+        }
     }
 }

@@ -13,6 +13,7 @@ mod expected;
 mod file;
 mod helicoid;
 mod interior;
+mod memory;
 mod method;
 mod number;
 mod patch;

@@ -461,3 +461,13 @@ fn the_tensor_template_shows_every_key_of_its_tables() {
         assert!(text.contains(&format!("{key} = ")), "{key}");
     }
 }
+
+#[test]
+fn no_file_name_leads_out_of_the_folder_of_results() {
+    let text = format!("{NET}[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n");
+    let names = ["...toml", "..toml", "..", ".", "", "a/..", "a/...toml", "/"];
+    for name in names {
+        assert_eq!(Plan::parse(name, &text).unwrap().stem, "experiment", "{name}");
+    }
+    assert_eq!(Plan::parse("....toml", &text).unwrap().stem, "...");
+}

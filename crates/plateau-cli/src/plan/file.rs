@@ -9,7 +9,8 @@ use serde_spanned::Spanned;
 use super::boundary::{Sides, boundary};
 use super::check::{Check, Table, top};
 use super::curve::curve;
-use super::helicoid::{frames_fit, helicoid, trapezium};
+use super::helicoid::{helicoid, trapezium};
+use super::memory::fits;
 use super::method::methods;
 use super::search::search;
 use super::{Experiment, Format, LARGEST_MESH, MAX_FILE_SIZE, Output, PatchExperiment, Plan, Search};
@@ -151,7 +152,7 @@ fn plan(check: &mut Check<'_>, spec: &Spec, file: &str) -> Option<Plan> {
     };
     let experiment = experiment(check, spec, &root);
     if let (Some(experiment), Some(output)) = (&experiment, &output) {
-        frames_fit(check, spec, experiment, output.mesh);
+        fits(check, spec, experiment, output.mesh);
     }
     Some(Plan {
         title: title?,
@@ -164,12 +165,12 @@ fn plan(check: &mut Check<'_>, spec: &Spec, file: &str) -> Option<Plan> {
     })
 }
 
-/// The file name without its folders and its last extension; never empty.
+/// The file name without its folders and its last extension; never empty, and no name of a folder above (`...toml`).
 fn stem(file: &str) -> String {
     Path::new(file)
         .file_stem()
         .map(|stem| stem.to_string_lossy().into_owned())
-        .filter(|stem| !stem.is_empty())
+        .filter(|stem| !matches!(stem.as_str(), "" | "." | ".."))
         .unwrap_or_else(|| "experiment".to_owned())
 }
 

@@ -7,11 +7,9 @@ use serde_spanned::Spanned;
 use super::check::{Check, Table, top};
 use super::expected::check::{Subject, expected};
 use super::number::{counted, shown};
-use super::{
-    Deformation, DeformationPath, Expected, Experiment, Helicoid, LARGEST_MESH, MAX_DEGREE, TrapeziumHelicoid,
-};
+use super::{Deformation, DeformationPath, Expected, Helicoid, MAX_DEGREE, TrapeziumHelicoid};
 use crate::diagnostic::{Diagnostic, Fault};
-use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, Spec, TrapeziumSpec};
+use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, TrapeziumSpec};
 
 /// Largest weight: with cosh u ≤ cosh 100 the squares of area densities stay below overflow.
 const LARGEST_WEIGHT: f64 = 1e30;
@@ -124,41 +122,6 @@ fn deformation(check: &mut Check<'_>, table: &Table, spec: &HelicoidSpec) -> Opt
         }
         (None, None) => Some(None),
     }
-}
-
-/// Most patches in all frames of a deformation.
-const MOST_PATCHES: usize = 20_000;
-
-/// The meshes of all frames together may hold no more vertices than the largest mesh of one surface, and their nets no more
-/// patches than [`MOST_PATCHES`].
-pub(super) fn frames_fit(check: &mut Check<'_>, spec: &Spec, experiment: &Experiment, mesh: usize) {
-    let Experiment::Helicoid(Helicoid { u_span, v_span, deformation: Some(deformation), .. }) = experiment
-    else {
-        return;
-    };
-    let frames = deformation.frames;
-    let most = (LARGEST_MESH + 1).pow(2) / frames;
-    let patches: f64 =
-        [u_span, v_span].map(|span| (span / surfaces::Helicoid::LARGEST_PIECE).ceil()).iter().product();
-    let key = |spec: &HelicoidSpec| spec.frames.as_ref().map(Spanned::span);
-    let Some(span) = spec.helicoid.as_ref().and_then(|table| key(table.get_ref())) else { return };
-    if patches * frames as f64 > MOST_PATCHES as f64 {
-        check.inadmissible(
-            span.clone(),
-            format!("{frames} frames of {patches} patches each are too many to be kept at once"),
-            format!("at most {MOST_PATCHES} patches in all"),
-            "take fewer frames, or shorter spans",
-        );
-    }
-    if (mesh + 1).pow(2) <= most {
-        return;
-    }
-    check.inadmissible(
-        span,
-        format!("{frames} frames with `mesh` = {mesh} are too many vertices to be kept at once"),
-        format!("{} vertices", frames * (mesh + 1).pow(2)),
-        format!("take fewer frames, or write mesh = {} in [output]", most.isqrt() - 1),
-    );
 }
 
 /// What `path` may name.
