@@ -33,8 +33,8 @@ const SHARE_OF_TIME: u32 = 20;
 /// The finished runs of an experiment's searches, and the file they are kept in.
 ///
 /// The file is written, whole or not at all, once a run has ended and `interval` has passed since it was written last, or
-/// since the experiment began: short searches never write. Once there is a file, it is completed when a search ends. It belongs to one manifest; a run taken from it has the bits
-/// it was stored with.
+/// since the experiment began: short searches never write. Once there is a file, written or loaded, it is completed when a
+/// search ends. It belongs to one manifest; a run taken from it has the bits it was stored with.
 #[derive(Debug)]
 pub struct Checkpoint {
     path: PathBuf,
@@ -49,6 +49,7 @@ struct State {
     /// By index of the method and of the run.
     runs: BTreeMap<(usize, usize), SearchRun>,
     due: Instant,
+    /// Whether there is a file of this experiment, with some of the runs or all.
     written: bool,
     problem: Option<io::Error>,
 }
@@ -108,7 +109,8 @@ impl Checkpoint {
         let runs: Option<BTreeMap<_, _>> = record.runs.iter().map(RunRecord::run).collect();
         let runs = runs.ok_or_else(|| CheckpointError::Damaged("a run in it is none".into()))?;
         let count = runs.len();
-        self.lock().runs = runs;
+        let mut state = self.lock();
+        (state.runs, state.written) = (runs, true);
         Ok(count)
     }
 

@@ -217,6 +217,22 @@ fn a_resumed_search_has_the_bytes_of_an_undisturbed_one() {
 }
 
 #[test]
+fn a_checkpoint_that_was_loaded_is_completed_when_a_search_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = Plan::parse("resumed.toml", &fixture("gt-5.1.toml", 20, 40, 6)).unwrap();
+    let options = Options::default();
+    let checkpoint =
+        |seconds| Checkpoint::new(folder.path(), Manifest::new(&plan, options), Duration::from_secs(seconds));
+    let first = checkpoint(0);
+    run_kept(&plan, options, &After(AtomicUsize::new(100)), Some(&first)).unwrap();
+    first.flush().unwrap();
+    let second = checkpoint(3600);
+    let kept = second.load().unwrap();
+    run_kept(&plan, options, &(), Some(&second)).unwrap();
+    assert_eq!((kept > 0 && kept < 6, checkpoint(0).load().unwrap()), (true, 6), "{kept} were kept");
+}
+
+#[test]
 fn short_searches_write_no_checkpoint() {
     let folder = tempfile::tempdir().unwrap();
     let plan = Plan::parse("short.toml", &fixture("gt-5.1.toml", 20, 40, 6)).unwrap();

@@ -83,7 +83,7 @@ impl Partition {
     /// The rows of the free unknowns, in order.
     ///
     /// # Errors
-    /// [`SolveError::WrongShape`] unless `values` is `order × columns`.
+    /// [`SolveError::WrongShape`] unless `values` is `order × columns`; [`SolveError::TooLarge`] if nothing can be.
     pub fn gather_free(&self, columns: usize, values: &[f64]) -> Result<Vec<f64>, SolveError> {
         self.gather(&self.free, columns, values)
     }
@@ -105,7 +105,7 @@ impl Partition {
     /// The rows of the fixed unknowns, in order.
     ///
     /// # Errors
-    /// [`SolveError::WrongShape`] unless `values` is `order × columns`.
+    /// [`SolveError::WrongShape`] unless `values` is `order × columns`; [`SolveError::TooLarge`] if nothing can be.
     pub fn gather_fixed(&self, columns: usize, values: &[f64]) -> Result<Vec<f64>, SolveError> {
         self.gather(&self.fixed, columns, values)
     }
@@ -113,10 +113,12 @@ impl Partition {
     /// Writes the rows of `free` to where the free unknowns stand in `values`; the fixed rows stay as they are.
     ///
     /// # Errors
-    /// [`SolveError::WrongShape`] unless `free` is `free × columns` and `values` is `order × columns`.
+    /// [`SolveError::WrongShape`] unless `free` is `free × columns` and `values` is `order × columns`;
+    /// [`SolveError::TooLarge`] if nothing can be.
     pub fn scatter_free(&self, columns: usize, free: &[f64], values: &mut [f64]) -> Result<(), SolveError> {
-        check::length("length of the free values", self.free.len() * columns, free.len())?;
-        check::length("length of the values", self.order() * columns, values.len())?;
+        let size = |rows| check::product("size of the values", rows, columns);
+        check::length("length of the free values", size(self.free.len())?, free.len())?;
+        check::length("length of the values", size(self.order())?, values.len())?;
         for (k, &i) in self.free.iter().enumerate() {
             values[i * columns..(i + 1) * columns].copy_from_slice(&free[k * columns..(k + 1) * columns]);
         }
@@ -124,7 +126,27 @@ impl Partition {
     }
 
     fn gather(&self, rows: &[usize], columns: usize, values: &[f64]) -> Result<Vec<f64>, SolveError> {
-        check::length("length of the values", self.order() * columns, values.len())?;
+        let size = check::product("size of the values", self.order(), columns)?;
+        check::length("length of the values", size, values.len())?;
         Ok(rows.iter().flat_map(|&i| &values[i * columns..(i + 1) * columns]).copied().collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Partition;
+    use crate::SolveError;
+
+    #[test]
+    fn a_product_of_sizes_that_overflows_is_an_error() {
+        let partition = Partition::new(&[false, false, true, true]);
+        // Twice and four times that is 0 modulo 2^64.
+        let columns = 1 << (usize::BITS - 1);
+        let errors = [
+            partition.gather_free(columns, &[]).err(),
+            partition.gather_fixed(columns, &[]).err(),
+            partition.scatter_free(columns, &[], &mut []).err(),
+        ];
+        assert!(errors.iter().all(|e| matches!(e, Some(SolveError::TooLarge { .. }))), "{errors:?}");
     }
 }
