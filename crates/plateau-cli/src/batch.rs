@@ -4,7 +4,8 @@ use std::io::Write;
 use std::time::Duration;
 
 use plateau::{
-    Checkpoint, Finished, Manifest, Options, Plan, Progress, deliver, earlier, prepare, run_kept, table,
+    Checkpoint, Finished, Manifest, Options, Plan, Progress, deliver_watched, earlier, prepare, run_kept,
+    table,
 };
 
 use crate::bars::Bars;
@@ -123,9 +124,16 @@ fn experiment(
         expectations(plan, &finished, stdout)?
     };
     bars.begin(&format!("files of {}", plan.stem), None);
-    let delivered = deliver(plan, &finished, out);
+    let delivered = deliver_watched(plan, &finished, out, bars);
     bars.end();
     match delivered {
+        Ok(delivered) if interrupted() && !delivered.record.unwritten().is_empty() => {
+            // The search need not be repeated for the files that are missing.
+            let _ = checkpoint.flush();
+            let (folder, missing) = (delivered.folder.display(), delivered.record.unwritten().len());
+            let files = if missing == 1 { "1 file is" } else { &format!("{missing} files are") };
+            return Ok(Outcome::Interrupted(format!("; {folder}/result.json is written, {files} not")));
+        }
         Ok(delivered) => {
             if json {
                 write!(stdout, "{}", delivered.record.to_json().map_err(std::io::Error::other)?)?;

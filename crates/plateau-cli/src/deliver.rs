@@ -1,5 +1,6 @@
 //! The folder of a finished experiment.
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -7,16 +8,17 @@ use surfaces::Mesh;
 use thiserror::Error;
 
 use crate::atomic::Claim;
+use crate::earlier::files_of;
 use crate::export::{ExportError, Subject};
 use crate::picture::pictures;
 use crate::report_html::page;
 use crate::result::ResultFile;
 use crate::run::{Done, Finished};
 use crate::scene::Scene;
-use crate::{Format, Plan, atomic, export};
+use crate::{Format, Plan, Progress, atomic, export};
 
 /// The page of an experiment, in its folder.
-pub(crate) const REPORT_FILE: &str = "report.html";
+const REPORT_FILE: &str = "report.html";
 
 /// A result that could not be kept.
 #[derive(Debug, Error)]
@@ -54,12 +56,27 @@ pub fn prepare(plan: &Plan, out: &Path) -> Result<Claim, DeliverError> {
 }
 
 /// Writes `out/<stem>/result.json` and the files the plan asks for, each whole or not at all; `result.json` last, so that
-/// a folder that has it is complete.
+/// a folder that has it is complete. Files that the result before it names and this one does not are then removed: they show
+/// what is no more. Nothing else in the folder is touched.
 ///
 /// # Errors
 /// [`DeliverError`] names the file; what was there before is untouched.
 pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered, DeliverError> {
+    deliver_watched(plan, finished, out, &())
+}
+
+/// As [`deliver()`], but if it is cancelled the files that are not begun are left out; `unwritten` in the record names them.
+///
+/// # Errors
+/// As [`deliver()`].
+pub fn deliver_watched(
+    plan: &Plan,
+    finished: &Finished,
+    out: &Path,
+    progress: &dyn Progress,
+) -> Result<Delivered, DeliverError> {
     let folder = out.join(&plan.stem);
+    let before = files_of(&folder);
     let (mut notes, mut refusals) = (Vec::new(), Vec::new());
     let write = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
         let path = folder.join(name);
@@ -75,13 +92,17 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
                 let subject = Subject { name: &method.name, mesh: &done.mesh };
                 let solved = (&done.solved.surface, done.solved.family);
                 let file = format!("{file}.{}", format.name());
+                if progress.cancelled() {
+                    record.add_unwritten(&file);
+                    continue;
+                }
                 match export::write(format, &subject, solved, plan.output.step_tolerance, &folder.join(&file))
                 {
                     Ok(form) => {
                         if let Some(form) = &form {
                             notes.push(format!("{file}: {}", form.description));
                         }
-                        record.add_file(k, file, form);
+                        record.add_file(Some(k), file, form);
                     }
                     Err(ExportError::Failed(error)) => return Err(error),
                     Err(refusal) => {
@@ -91,24 +112,35 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
                 }
             }
         }
+        let mut keep = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
+            if progress.cancelled() {
+                record.add_unwritten(name);
+            } else {
+                write(name, fill)?;
+                record.add_file(None, name.to_owned(), None);
+            }
+            Ok(())
+        };
+        if let Some(curve) = &finished.curve {
+            keep("curve.csv", &|out| export::csv::write(curve, out))?;
+        }
         if plan.output.formats.contains(&Format::Glb)
             && let Some((helicoid, catenoid, weights)) = deformation(finished)
         {
-            write("deformation.glb", &|out| {
+            keep("deformation.glb", &|out| {
                 export::deformation::write(&finished.title, helicoid, catenoid, &weights, out)
             })?;
         }
-        if plan.output.pictures {
+        if plan.output.pictures && !progress.cancelled() {
             let scene = Scene::of(finished);
             let pictures = pictures(plan, finished, scene.as_ref());
             for picture in &pictures {
-                write(&format!("{}.svg", picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
+                keep(&format!("{}.svg", picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
             }
             let report = page(plan, finished, scene.as_ref(), &pictures);
-            write(REPORT_FILE, &|out| out.write_all(report.as_bytes()))?;
-        }
-        if let Some(curve) = &finished.curve {
-            write("curve.csv", &|out| export::csv::write(curve, out))?;
+            keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))?;
+        } else if plan.output.pictures {
+            record.add_unwritten(REPORT_FILE);
         }
         Ok(())
     })();
@@ -117,6 +149,14 @@ pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered
     }
     write("result.json", &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
     files?;
+    let now = files_of(&folder);
+    for name in before.iter().filter(|name| !now.contains(name)) {
+        if let Err(error) = fs::remove_file(folder.join(name))
+            && error.kind() != io::ErrorKind::NotFound
+        {
+            notes.push(format!("{name} is of an earlier result and cannot be removed: {error}"));
+        }
+    }
     Ok(Delivered { folder, record, notes, refusals })
 }
 

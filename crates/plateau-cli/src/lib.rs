@@ -68,7 +68,7 @@ pub use boundary_figures::BoundaryFigures;
 pub use checkpoint::{CHECKPOINT_FILE, Checkpoint, CheckpointError};
 pub use closed_form::ClosedForm;
 pub use curve::CurveResult;
-pub use deliver::{DeliverError, Delivered, deliver, prepare};
+pub use deliver::{DeliverError, Delivered, deliver, deliver_watched, prepare};
 pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use earlier::{Earlier, earlier};
 pub use export::{DEFAULT_TOLERANCE, ExportError, SurfaceForm};

@@ -30,6 +30,9 @@ pub struct ResultFile {
     /// The numbers of the file that were not met.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     missed: Vec<MissedEntry>,
+    /// Files beside the record that belong to no method.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    files: Vec<FileEntry>,
     /// Files that were asked for and are not there.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     unwritten: Vec<String>,
@@ -203,17 +206,26 @@ impl ResultFile {
             curve: finished.curve.as_ref().map(CurveEntry::new),
             warnings: finished.warnings.clone(),
             missed: finished.missed().into_iter().map(missed_entry).collect(),
+            files: Vec::new(),
             unwritten: Vec::new(),
             manifest: finished.manifest.clone(),
         }
     }
 
-    /// Records a file written for method `k`.
-    pub(crate) fn add_file(&mut self, k: usize, file: String, form: Option<SurfaceForm>) {
-        if let Some(MethodEntry::Done(entry)) = self.methods.get_mut(k) {
-            let (deviation, description) = form.map_or((None, None), |f| (f.deviation, Some(f.description)));
-            entry.files.push(FileEntry { file, deviation, description });
+    /// Records a file written for method `k`, or for the experiment as a whole.
+    pub(crate) fn add_file(&mut self, k: Option<usize>, file: String, form: Option<SurfaceForm>) {
+        let (deviation, description) = form.map_or((None, None), |f| (f.deviation, Some(f.description)));
+        let entry = FileEntry { file, deviation, description };
+        match k.map(|k| self.methods.get_mut(k)) {
+            None => self.files.push(entry),
+            Some(Some(MethodEntry::Done(method))) => method.files.push(entry),
+            Some(_) => {}
         }
+    }
+
+    /// Files that were asked for and are not there.
+    pub fn unwritten(&self) -> &[String] {
+        &self.unwritten
     }
 
     /// Records a file that was asked for and could not be written.

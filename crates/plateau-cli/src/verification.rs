@@ -125,7 +125,7 @@ pub fn verify(path: &Path, progress: &dyn Progress) -> Result<Verification, Veri
     if progress.cancelled() {
         return Err(VerifyError::Interrupted);
     }
-    let computed = serde_json::to_value(record(&plan, &finished)).map_err(json)?;
+    let computed = serde_json::to_value(record(&plan, &finished, stored.get("unwritten"))).map_err(json)?;
     let level = if because.is_empty() { Level::Bits } else { Level::Figures { because } };
     let mut entries = entries(&mut stored, computed, &level);
     if !manifest.is_intact() {
@@ -146,8 +146,9 @@ fn arithmetic(manifest: &Manifest) -> Arithmetic {
     if manifest.arithmetic == Arithmetic::Fma && lacks_fma { Arithmetic::Auto } else { manifest.arithmetic }
 }
 
-/// The record as it would be delivered, nothing written.
-fn record(plan: &Plan, finished: &Finished) -> ResultFile {
+/// The record as it would be delivered without the files that `unwritten` names, nothing written.
+fn record(plan: &Plan, finished: &Finished, unwritten: Option<&Value>) -> ResultFile {
+    let unwritten = unwritten.and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
     let mut record = ResultFile::new(finished);
     let names = crate::deliver::file_names(finished.methods.iter().map(|method| method.name.as_str()));
     for (k, (method, name)) in finished.methods.iter().zip(&names).enumerate() {
@@ -156,8 +157,11 @@ fn record(plan: &Plan, finished: &Finished) -> ResultFile {
             let subject = Subject { name: &method.name, mesh: &done.mesh };
             let solved = (&done.solved.surface, done.solved.family);
             let file = format!("{name}.{}", format.name());
+            if unwritten.iter().any(|name| name.as_str() == Some(&file)) {
+                continue;
+            }
             match rehearse(format, &subject, solved, plan.output.step_tolerance) {
-                Ok(form) => record.add_file(k, file, form),
+                Ok(form) => record.add_file(Some(k), file, form),
                 Err(ExportError::Refused { .. } | ExportError::Failed(_)) => record.add_unwritten(&file),
             }
         }
@@ -189,8 +193,10 @@ fn entries(stored: &mut Value, mut computed: Value, level: &Level) -> Vec<Verifi
     }
     for record in [&mut *stored, &mut computed] {
         if let Some(record) = record.as_object_mut() {
-            // The manifest has been used up; what could not be written then says nothing of the numbers.
-            record.retain(|key, _| !["manifest", "methods", "curve", "unwritten"].contains(&key.as_str()));
+            // The manifest has been used up; what was written and what could not be says nothing of the numbers.
+            record.retain(|key, _| {
+                !["manifest", "methods", "curve", "files", "unwritten"].contains(&key.as_str())
+            });
             if *level != Level::Bits {
                 record.retain(|key, _| ["title", "seed"].contains(&key.as_str()));
             }

@@ -194,10 +194,7 @@ impl<'a> Check<'a> {
         );
         diagnostic = match nearest(word, names.iter().map(|(candidate, _)| *candidate)) {
             Some(near) => diagnostic.help(format!("did you mean \"{near}\"?")),
-            None => diagnostic.help(format!(
-                "write one of these names, as in {name} = {}",
-                all.first().map_or("", String::as_str)
-            )),
+            None => diagnostic.help("write one of these names, in quotes"),
         };
         self.report(diagnostic);
         None

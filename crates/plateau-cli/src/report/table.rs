@@ -84,6 +84,7 @@ fn row(method: &MethodResult) -> [String; 9] {
         return cells;
     };
     let f = &done.figures;
+    let size = f.dirichlet.value.sqrt();
     let boundary = done.boundary.as_ref();
     [
         method.name.clone(),
@@ -92,15 +93,29 @@ fn row(method: &MethodResult) -> [String; 9] {
         figure(f.area.value),
         format!("{:.1e}", f.area.error),
         f.conformality_gap.map_or(String::new(), |gap| format!("{:.4} %", 100.0 * gap)),
-        f.mean_curvature_max.map_or("singular".into(), |h| format!("{h:.5}")),
-        boundary.map_or(String::new(), |b| moved(b.deviation)),
+        f.mean_curvature_max.map_or("singular".into(), |h| curvature(h, size)),
+        boundary.map_or(String::new(), |b| moved(b.deviation, size)),
         shape(done),
     ]
 }
 
-/// How far boundary curves moved; what is only rounding is written 0.
-fn moved(deviation: f64) -> String {
-    if deviation < 1e-12 { "0".into() } else { format!("{deviation:.4}") }
+/// How far boundary curves moved; what is only rounding, for a patch of this size, is written 0.
+fn moved(deviation: f64, size: f64) -> String {
+    match deviation {
+        _ if deviation <= 1e-12 * size => "0".into(),
+        1e-3..1e6 => format!("{deviation:.4}"),
+        _ => format!("{deviation:.4e}"),
+    }
+}
+
+/// A curvature with five decimals, or with an exponent where they would not show it. Beside the curvature of a sphere of
+/// this size, one millionth is none.
+fn curvature(h: f64, size: f64) -> String {
+    match h {
+        1e-3..1e6 => format!("{h:.5}"),
+        _ if h < 1.0 && h * size < 1e-6 => format!("{h:.5}"),
+        _ => format!("{h:.5e}"),
+    }
 }
 
 fn shape(done: &Done) -> String {
@@ -122,4 +137,26 @@ pub(crate) fn active_bounds(polished: &optim::Polished) -> Vec<&'static str> {
             optim::Bound::Upper => "upper",
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{curvature, moved};
+
+    #[test]
+    fn lengths_are_readable_in_any_unit() {
+        // A metre in kilometres, in metres and in nanometres.
+        let said = |unit: f64| [moved(0.3616 * unit, unit), curvature(0.6121 / unit, unit)];
+        assert_eq!(said(1.0), ["0.3616", "0.61210"]);
+        assert_eq!(said(1e-9), ["3.6160e-10", "6.12100e8"]);
+        assert_eq!(said(1e9), ["3.6160e8", "6.12100e-10"]);
+        // Rounding is nothing in any unit.
+        for unit in [1e-40, 1.0, 1e40] {
+            assert_eq!(moved(1e-16 * unit, unit), "0");
+        }
+        assert_eq!(
+            [moved(0.0, 0.0), curvature(1e-16, 1.0), curvature(0.0, 0.0)],
+            ["0", "0.00000", "0.00000"]
+        );
+    }
 }

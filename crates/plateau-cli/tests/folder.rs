@@ -1,0 +1,125 @@
+//! The folder of a result over several runs: what belongs to the result is there, what no longer does is gone, and nothing
+//! else is touched.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use plateau::{Options, Plan, Progress, deliver, deliver_watched, earlier, run, verify};
+use serde_json::Value;
+
+const EXPERIMENT: &str = r#"
+title = "A saddle"
+[boundary]
+u0 = [[0, 0, 0], [0, 1, 0], [0, 2, 0]]
+u1 = [[2, 0, 0], [2, 1, 1], [2, 2, 2]]
+v0 = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]
+v1 = [[0, 2, 0], [1, 2, 1], [2, 2, 2]]
+[[method]]
+name = "GT"
+basis = "gt"
+energy = "dirichlet"
+search = true
+[search]
+particles = 5
+iterations = 5
+runs = 2
+[output]
+mesh = 8
+formats = ["obj", "step"]
+"#;
+
+fn made(text: &str, out: &Path) -> Plan {
+    let plan = Plan::parse("x.toml", text).unwrap_or_else(|refusal| panic!("{refusal}"));
+    deliver(&plan, &run(&plan, Options::default(), &()).unwrap(), out).unwrap();
+    plan
+}
+
+fn names(folder: &Path) -> BTreeSet<String> {
+    fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+fn record(folder: &Path) -> Value {
+    serde_json::from_slice(&fs::read(folder.join("result.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn what_a_result_no_longer_names_is_removed_and_nothing_else() {
+    let out = tempfile::tempdir().unwrap();
+    let folder = out.path().join("x");
+    made(EXPERIMENT, out.path());
+    assert!(
+        ["convergence.svg", "report.html", "gt.obj", "gt.step"]
+            .iter()
+            .all(|name| names(&folder).contains(*name))
+    );
+    // Files of others: a picture, an export that no record names, a neighbour of the folder.
+    for name in ["x/mine.svg", "x/gt.ply", "mine.html"] {
+        fs::write(out.path().join(name), "mine").unwrap();
+    }
+    // A record that was tampered with leads nowhere else.
+    let path = folder.join("result.json");
+    let mut damaged = record(&folder);
+    damaged["files"].as_array_mut().unwrap().push(serde_json::json!({ "file": "../mine.html" }));
+    fs::write(&path, damaged.to_string()).unwrap();
+    let plain = EXPERIMENT.replace("search = true", "shape = [1.0, 1.0, 1.0, 1.0]");
+    made(&plain.replace("formats = [\"obj\", \"step\"]", "pictures = false"), out.path());
+    assert!(names(&folder).iter().eq(["gt.ply", "mine.svg", "result.json"]), "{:?}", names(&folder));
+    assert!(out.path().join("mine.html").is_file());
+}
+
+#[test]
+fn a_result_lacking_one_of_its_files_is_run_again() {
+    let curve =
+        "title = \"c\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0, 0], [1, 1], [2, 0]]\nsamples = 5\n";
+    let helicoid = "title = \"h\"\n[helicoid]\na = 1.0\nb = 2.0\nu-span = 1.0\nv-span = 1.0\nframes = 3\n\
+                    [output]\nmesh = 4\nformats = [\"glb\"]\n";
+    for (text, least) in [(EXPERIMENT, 6), (curve, 3), (helicoid, 7)] {
+        let out = tempfile::tempdir().unwrap();
+        let folder = out.path().join("x");
+        let plan = made(text, out.path());
+        let files = names(&folder);
+        assert!(files.len() > least, "{files:?}");
+        for name in &files {
+            assert!(earlier(&plan, Options::default(), out.path()).is_some());
+            let bytes = fs::read(folder.join(name)).unwrap();
+            fs::remove_file(folder.join(name)).unwrap();
+            assert!(earlier(&plan, Options::default(), out.path()).is_none(), "without {name}");
+            fs::write(folder.join(name), bytes).unwrap();
+        }
+    }
+}
+
+/// Somebody who has seen enough.
+struct Impatient;
+
+impl Progress for Impatient {
+    fn begin(&self, _: &str, _: Option<u64>) {}
+    fn step(&self) {}
+    fn end(&self) {}
+    fn cancelled(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn an_interruption_costs_files_but_no_number() {
+    let out = tempfile::tempdir().unwrap();
+    let folder = out.path().join("x");
+    let plan = Plan::parse("x.toml", EXPERIMENT).unwrap();
+    let finished = run(&plan, Options::default(), &()).unwrap();
+    let delivered = deliver_watched(&plan, &finished, out.path(), &Impatient).unwrap();
+    assert_eq!(delivered.record.unwritten(), ["gt.obj", "gt.step", "report.html"]);
+    assert!(names(&folder).iter().eq(["result.json"]));
+    assert!(earlier(&plan, Options::default(), out.path()).is_none());
+    assert!(verify(&folder.join("result.json"), &()).unwrap().agrees());
+    made(EXPERIMENT, out.path());
+    assert!(earlier(&plan, Options::default(), out.path()).is_some());
+}
+
+#[test]
+fn results_stay_inside_the_folder_asked_for() {
+    for file in ["..toml", "...toml", "a/..", ""] {
+        assert_eq!(Plan::parse(file, EXPERIMENT).unwrap().stem, "experiment", "{file}");
+    }
+}
