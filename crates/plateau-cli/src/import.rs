@@ -36,6 +36,9 @@ pub enum ImportError {
     /// The file system.
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
+    /// Bytes that are no text.
+    #[error("is no text in UTF-8: save it as one")]
+    NotText,
     /// Too large.
     #[error("is larger than {} MiB", MAX_SIZE >> 20)]
     TooLarge,
@@ -53,7 +56,9 @@ pub enum ImportError {
     /// The ends of two sides are apart.
     #[error(
         "{first} and {second} should meet in a corner, but lie {gap:.3e} apart: their ends must agree to within \
-         {SAME:e} of the size, {size:.3e}"
+         {SAME:e} of the size, {size:.3e}{}",
+        if *named { "; sides of these names run as in an experiment, under other names they are chained by their ends, in any order \
+         and sense" } else { "" }
     )]
     Corner {
         /// One side.
@@ -64,6 +69,8 @@ pub enum ImportError {
         gap: f64,
         /// Diagonal of the box around the boundary.
         size: f64,
+        /// Whether they have the names of sides of experiments, which say how they run.
+        named: bool,
     },
     /// A side cannot be fitted.
     #[error("{side}: {why}")]
@@ -81,6 +88,8 @@ pub enum ImportError {
 /// A side in the sense in which it runs around the boundary.
 struct Curve {
     name: &'static str,
+    /// What the file calls it.
+    label: String,
     points: Vec<Point>,
     forward: bool,
     fit: Option<Fit>,
@@ -93,11 +102,12 @@ struct Curve {
 /// # Errors
 /// [`ImportError`]; the file itself is not named in it.
 pub fn import(path: &Path, degree: Option<usize>) -> Result<String, ImportError> {
-    let mut text = String::new();
-    File::open(path)?.take(MAX_SIZE + 1).read_to_string(&mut text)?;
-    if text.len() as u64 > MAX_SIZE {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MAX_SIZE + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_SIZE {
         return Err(ImportError::TooLarge);
     }
+    let text = String::from_utf8(bytes).map_err(|_| ImportError::NotText)?;
     let is_obj = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
     let sides = if is_obj { read::obj(&text)? } else { read::table(&text)? };
     let stem = path.file_stem().map_or_else(|| "boundary".into(), |stem| stem.to_string_lossy().into_owned());
@@ -112,8 +122,9 @@ fn experiment(title: &str, sides: Vec<Side>, degree: Option<usize>) -> Result<St
         let (end, start) = (last(&curves[k].points), curves[next].points[0]);
         let gap = end.distance(start);
         if gap > SAME * size {
-            let [first, second] = [k, next].map(|k| curves[k].name.to_owned());
-            return Err(ImportError::Corner { first, second, gap, size });
+            let named = curves.iter().all(|curve| curve.label == curve.name);
+            let [first, second] = [k, next].map(|k| curves[k].label.clone());
+            return Err(ImportError::Corner { first, second, gap, size, named });
         }
         // Corners are repeated in an experiment and must agree digit for digit.
         curves[next].points[0] = end;
@@ -121,7 +132,7 @@ fn experiment(title: &str, sides: Vec<Side>, degree: Option<usize>) -> Result<St
     if let Some(degree) = degree {
         for curve in &mut curves {
             let fit = Fit::new(&curve.points, degree)
-                .map_err(|why| ImportError::Fit { side: curve.name.into(), why })?;
+                .map_err(|why| ImportError::Fit { side: curve.label.clone(), why })?;
             curve.points.clone_from(&fit.points);
             curve.fit = Some(fit);
         }
@@ -177,22 +188,26 @@ fn around(sides: Vec<Side>) -> Result<Vec<Curve>, ImportError> {
         3 => &TRIANGLE,
         4 => &TENSOR,
         count => {
+            let sides = if count == 1 { "is 1 side".into() } else { format!("are {count} sides") };
             return Err(ImportError::Sides(format!(
-                "there are {count} sides: four make a tensor boundary, three a triangular one"
+                "there {sides}: four make a tensor boundary, three a triangular one; every side has a name of its own in a table, \
+                 lines of its own in an OBJ file"
             )));
         }
     };
-    let curve = |(name, forward), mut points: Vec<Point>, turned: bool| {
+    let curve = |(name, forward): (&'static str, bool), mut side: Side, turned: bool| {
         if turned {
-            points.reverse();
+            side.points.reverse();
         }
-        Curve { name, points, forward, fit: None }
+        // Lines of an OBJ file need no name.
+        let label = if side.name.is_empty() { name.to_owned() } else { side.name };
+        Curve { name, label, points: side.points, forward, fit: None }
     };
     let named: Option<Vec<Curve>> = names
         .iter()
         .map(|&(name, forward)| {
             let side = sides.iter().find(|side| side.name == name)?;
-            Some(curve((name, forward), side.points.clone(), !forward))
+            Some(curve((name, forward), side.clone(), !forward))
         })
         .collect();
     if let Some(named) = named {
@@ -200,7 +215,7 @@ fn around(sides: Vec<Side>) -> Result<Vec<Curve>, ImportError> {
     }
     // Without the names of experiments the sides are chained, each the one that begins or ends nearest to where the chain ends.
     let mut rest = sides;
-    let mut chain = vec![curve(names[0], rest.remove(0).points, false)];
+    let mut chain = vec![curve(names[0], rest.remove(0), false)];
     while let Some(end) = chain.last().map(|curve| last(&curve.points)) {
         let nearest = (0..rest.len())
             .flat_map(|k| [(k, false), (k, true)])
@@ -210,7 +225,7 @@ fn around(sides: Vec<Side>) -> Result<Vec<Curve>, ImportError> {
             })
             .min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((_, k, turned)) = nearest else { break };
-        chain.push(curve(names[chain.len()], rest.remove(k).points, turned));
+        chain.push(curve(names[chain.len()], rest.remove(k), turned));
     }
     Ok(chain)
 }

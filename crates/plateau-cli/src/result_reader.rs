@@ -31,8 +31,11 @@ pub enum ReadError {
     /// Too large to be one.
     #[error("is larger than {} MiB; results of this program are not", LARGEST_FILE >> 20)]
     TooLarge,
+    /// A folder.
+    #[error("is a folder: name the result.json in it")]
+    Folder,
     /// No JSON, or a value of the wrong kind.
-    #[error("{place}{source}")]
+    #[error("{place}{source}; this should be a result.json of `plateau run`")]
     Json {
         /// The key and a colon, or nothing.
         place: String,
@@ -158,6 +161,9 @@ impl StoredResult {
 
 /// The bytes of a file that may be a result.
 pub(crate) fn contents(path: &Path) -> Result<Vec<u8>, ReadError> {
+    if path.is_dir() {
+        return Err(ReadError::Folder);
+    }
     let mut bytes = Vec::new();
     File::open(path)?.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > LARGEST_FILE { Err(ReadError::TooLarge) } else { Ok(bytes) }

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use plateau::{Level, ReadError, Verification, VerifyError, verify};
+use plateau::{Level, Verification, VerifyError, verify};
 
 use crate::bars::Bars;
 use crate::command::{Failure, VerifyArguments, say, start_threads};
@@ -44,14 +44,7 @@ fn verified(arguments: &VerifyArguments, stdout: &mut impl Write) -> Result<(), 
                 return Err(Failure::Interrupted);
             }
             Err(error) => {
-                let help = match error {
-                    VerifyError::Read(ReadError::Missing { .. }) => "",
-                    VerifyError::Read(ReadError::Json { .. }) => {
-                        "; verify takes a result.json of `plateau run`"
-                    }
-                    _ => "",
-                };
-                say(&format!("error: {}: {error}{help}", path.display()));
+                say(&format!("error: {}: {error}", path.display()));
                 readable = false;
             }
         }
@@ -75,8 +68,9 @@ fn json(path: &Path, verification: &Verification, stdout: &mut impl Write) -> Re
 /// Words as a list that begins a sentence.
 fn list(words: &[&str]) -> String {
     match words.split_last() {
-        Some((last, [])) => format!("{last} here"),
-        Some((last, rest)) => format!("{} and {last} here", rest.join(", ")),
+        Some((last, [])) if !last.ends_with('s') => format!("{last} here is"),
+        Some((last, [])) => format!("{last} here are"),
+        Some((last, rest)) => format!("{} and {last} here are", rest.join(", ")),
         None => String::new(),
     }
 }
@@ -91,7 +85,7 @@ fn report(path: &Path, verification: &Verification, stdout: &mut impl Write) -> 
             let (tolerance, searched) = (Level::TOLERANCE, Level::SEARCHED);
             writeln!(
                 stdout,
-                "{} differ from those it was written with: figures and nets are compared within {tolerance:e}, those a search led to \
+                "{} not what it was written with: figures and nets are compared within {tolerance:e}, those a search led to \
                  within {searched:e}",
                 list(because)
             )?

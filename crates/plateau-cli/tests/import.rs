@@ -112,6 +112,21 @@ fn what_makes_no_boundary_is_told() {
         (sound.replace("u1,1.0,0.0", "u1,1.0,nan"), None, "line 6: \"nan\" is no coordinate"),
         (sound.clone(), Some(4), "u0: 4 samples do not determine a curve of degree 4"),
         (String::new(), None, "there are 0 sides"),
+        ("a,0,0,0\na,1,0,0\n".into(), None, "there is 1 side: four"),
+        // Misread as 1, 5, 2 if the comma separated, too.
+        ("u0;1,5;2\n".into(), None, "line 1: both commas and semicolons"),
+        (
+            "0,0,0\n".into(),
+            None,
+            "line 1: a row is a side and three coordinates, as in u0,1.5,0,2; here are 3 cells: the name",
+        ),
+        // Rows and columns swapped.
+        (
+            sound.replace("u0,", "x").replace("v0,", "u0,").replace('x', "v0,"),
+            None,
+            "run as in an experiment",
+        ),
+        (sound.replace("u1,", "north,").replacen("north,", "north,9", 1), None, "north"),
     ];
     for (text, degree, message) in cases {
         match imported("wrong.csv", &text, degree) {

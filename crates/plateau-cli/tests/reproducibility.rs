@@ -216,8 +216,8 @@ fn what_is_no_result_has_status_2() {
     let cases = [
         ("early.json", early, "`manifest` is missing"),
         ("other.json", r#"{"schema": "other/1"}"#, "`schema` is \"other/1\""),
-        ("toml.json", "title = 1", "takes a result.json"),
-        ("empty.json", "", "takes a result.json"),
+        ("toml.json", "title = 1", "should be a result.json of `plateau run`"),
+        ("empty.json", "", "should be a result.json of `plateau run`"),
         ("list.json", "[]", "`schema` is missing"),
         ("manifest.json", r#"{"schema": "plateau-result/1", "manifest": 3}"#, "`manifest`: "),
     ];

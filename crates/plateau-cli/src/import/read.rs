@@ -25,18 +25,28 @@ pub(super) fn table(text: &str) -> Result<Vec<Side>, ImportError> {
             .map(|cell| cell.trim().trim_matches('"'))
             .filter(|cell| !cell.is_empty())
             .collect();
-        let is_heading =
-            std::mem::take(&mut first) && cells.iter().skip(1).all(|cell| cell.parse::<f64>().is_err());
-        let [name, x, y, z] = cells[..] else {
-            let why = format!(
-                "a row is a side and three coordinates, as in u0,1.5,0,2; here are {} cells",
-                cells.len()
-            );
-            return Err(ImportError::Line { line: number, why });
-        };
+        let is_heading = std::mem::take(&mut first)
+            && cells.len() > 1
+            && cells.iter().skip(1).all(|cell| cell.parse::<f64>().is_err());
         if is_heading {
             continue;
         }
+        if line.contains(';') && line.contains(',') {
+            let why = "both commas and semicolons stand here: separate by one of them, and write decimals with a point, 1.5";
+            return Err(ImportError::Line { line: number, why: why.into() });
+        }
+        let [name, x, y, z] = cells[..] else {
+            let why = format!(
+                "a row is a side and three coordinates, as in u0,1.5,0,2; here are {} cells{}",
+                cells.len(),
+                if cells.len() == 3 {
+                    ": the name of the side may be missing, or z, which is 0 in the plane"
+                } else {
+                    ""
+                }
+            );
+            return Err(ImportError::Line { line: number, why });
+        };
         let place = *places.entry(name).or_insert(sides.len());
         if place == sides.len() {
             sides.push(Side { name: name.to_owned(), points: Vec::new() });
@@ -85,7 +95,7 @@ pub(super) fn obj(text: &str) -> Result<Vec<Side>, ImportError> {
         }
     }
     if sides.is_empty() {
-        let why = "the file has no lines (elements `l`): export the sides of the boundary as curves or edges";
+        let why = "the file has no lines (elements `l`), and faces are passed over: export the sides of the boundary as curves or edges";
         return Err(ImportError::Sides(why.into()));
     }
     Ok(sides)
@@ -141,7 +151,7 @@ mod tests {
 
     #[test]
     fn tables_may_have_a_heading() {
-        let text = "side,x,y,z\n# the first\nu0, 0, 0, 0\nu0;1;0;0\nv0\t0\t0\t0\n";
+        let text = "side,\"x [mm]\",\"y [mm]\",z,remark\n# the first\nu0, 0, 0, 0\nu0;1;0;0\nv0\t0\t0\t0\n";
         let sides = table(text).unwrap();
         assert_eq!(sides.iter().map(|side| side.points.len()).collect::<Vec<_>>(), [2, 1]);
         let Err(ImportError::Line { line, .. }) = table("u0,0,0,0\nu0,0,0") else { panic!("a short row") };

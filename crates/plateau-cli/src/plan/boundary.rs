@@ -147,13 +147,18 @@ fn tensor(check: &mut Check<'_>, table: &Table, spec: &BoundarySpec) -> Option<B
     let v1 = side(check, table, "v1", &spec.v1, &column_help);
     let rows = same_length(check, u0.as_ref(), u1.as_ref());
     let columns = same_length(check, v0.as_ref(), v1.as_ref());
-    let mut meet = true;
-    if rows && columns {
-        meet &= corner(check, "P_00", (u0.as_ref(), false), (v0.as_ref(), false));
-        meet &= corner(check, "P_0n", (u0.as_ref(), true), (v1.as_ref(), false));
-        meet &= corner(check, "P_m0", (u1.as_ref(), false), (v0.as_ref(), true));
-        meet &= corner(check, "P_mn", (u1.as_ref(), true), (v1.as_ref(), true));
-    }
+    let meet = !(rows && columns)
+        || corners(
+            check,
+            &[u0.as_ref(), u1.as_ref(), v0.as_ref(), v1.as_ref()],
+            &[
+                ("P_00", (0, false), (2, false)),
+                ("P_0n", (0, true), (3, false)),
+                ("P_m0", (1, false), (2, true)),
+                ("P_mn", (1, true), (3, true)),
+            ],
+            "opposite sides run in the same direction: u0 and v0 begin at one corner, v0 ends where u1 begins, u0 where v1 begins",
+        );
     let agree = stated_degree(check, "u-degree", &spec.u_degree, v0.as_ref())
         & stated_degree(check, "v-degree", &spec.v_degree, u0.as_ref());
     let (u0, u1, v0, v1) = (u0?.points, u1?.points, v0?.points, v1?.points);
@@ -216,12 +221,13 @@ fn triangular(check: &mut Check<'_>, table: &Table, spec: &BoundarySpec) -> Opti
     let bc = side(check, table, "bc", &spec.bc, SIDES_OF_A_TRIANGLE);
     let ca = side(check, table, "ca", &spec.ca, SIDES_OF_A_TRIANGLE);
     let equal = same_length(check, ab.as_ref(), bc.as_ref()) & same_length(check, ab.as_ref(), ca.as_ref());
-    let mut meet = true;
-    if equal {
-        meet &= corner(check, "A", (ab.as_ref(), false), (ca.as_ref(), true));
-        meet &= corner(check, "B", (ab.as_ref(), true), (bc.as_ref(), false));
-        meet &= corner(check, "C", (bc.as_ref(), true), (ca.as_ref(), false));
-    }
+    let meet = !equal
+        || corners(
+            check,
+            &[ab.as_ref(), bc.as_ref(), ca.as_ref()],
+            &[("A", (0, false), (2, true)), ("B", (0, true), (1, false)), ("C", (1, true), (2, false))],
+            "each side begins where the one before it ends",
+        );
     let (ab, bc, ca) = (ab?.points, bc?.points, ca?.points);
     (equal && meet).then_some(Boundary::Triangle { ab, bc, ca })
 }
@@ -336,6 +342,42 @@ fn same_length(check: &mut Check<'_>, one: Option<&Side<'_>>, other: Option<&Sid
         .help("sides of one net have the same number of points: raise the degree of the shorter one, or complete it"),
     );
     false
+}
+
+/// A corner: its name, and the two sides that meet in it, each with whether it does so at its end.
+type Corner = (&'static str, (usize, bool), (usize, bool));
+
+/// Whether sides meet in their corners; true of sides that are unknown. Sides that would meet if some were reversed are one
+/// fault.
+fn corners(check: &mut Check<'_>, sides: &[Option<&Side<'_>>], corners: &[Corner], rule: &str) -> bool {
+    let known: Option<Vec<&Side<'_>>> = sides.iter().copied().collect();
+    let Some(turned) = known.and_then(|known| reversed(&known, corners)) else {
+        return corners.iter().fold(true, |meet, &(name, (one, one_at_end), (other, other_at_end))| {
+            meet & corner(check, name, (sides[one], one_at_end), (sides[other], other_at_end))
+        });
+    };
+    let [first, rest @ ..] = &turned[..] else { return true };
+    let names: Vec<String> = turned.iter().map(|side| format!("`{}`", side.name)).collect();
+    let (names, run) = (names.join(" and "), if rest.is_empty() { "runs" } else { "run" });
+    let what = format!("{names} in [boundary] {run} in the wrong direction: reversed, all sides meet");
+    let label = "write these points in the other order";
+    let diagnostic = Diagnostic::at(Fault::Conflict, first.key.span(), what, label).help(rule);
+    check.report(rest.iter().fold(diagnostic, |diagnostic, side| diagnostic.beside(side.key.span(), label)));
+    false
+}
+
+/// The fewest sides whose reversal makes all sides meet; none if they meet as they are.
+fn reversed<'s>(sides: &[&'s Side<'s>], corners: &[Corner]) -> Option<Vec<&'s Side<'s>>> {
+    let is_turned = |turned: usize, k: usize| turned >> k & 1 == 1;
+    let end = |k: usize, at_end: bool, turned: usize| {
+        let points = &sides[k].points;
+        if at_end == is_turned(turned, k) { points.first() } else { points.last() }
+    };
+    let meets = |turned: &usize| {
+        corners.iter().all(|&(_, (p, p_end), (q, q_end))| end(p, p_end, *turned) == end(q, q_end, *turned))
+    };
+    let turned = (0..1 << sides.len()).filter(meets).min_by_key(|turned: &usize| turned.count_ones())?;
+    Some((0..sides.len()).filter(|&k| is_turned(turned, k)).map(|k| sides[k]).collect())
 }
 
 /// Whether two sides meet in a corner; true if one of them is unknown.

@@ -194,7 +194,12 @@ impl<'a> Check<'a> {
         );
         diagnostic = match nearest(word, names.iter().map(|(candidate, _)| *candidate)) {
             Some(near) => diagnostic.help(format!("did you mean \"{near}\"?")),
-            None => diagnostic.help("write one of these names, in quotes"),
+            None => {
+                let first = all.first().map_or("", String::as_str);
+                // The one key that holds a list of names.
+                let example = if name == "formats" { format!("[{first}]") } else { first.to_owned() };
+                diagnostic.help(format!("write one of these names, as in {name} = {example}"))
+            }
         };
         self.report(diagnostic);
         None

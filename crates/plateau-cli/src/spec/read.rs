@@ -233,6 +233,12 @@ fn syntax(text: &str, error: &Error) -> Diagnostic {
                 "expected a value",
                 "write the value behind the `=`, or take the line out",
             )
+        } else if text[span.start..].starts_with('(') {
+            at(
+                "a round bracket begins no value",
+                "expected a value",
+                "lists and points stand in square brackets: [[0, 0, 0], [2, 0, 2]]",
+            )
         } else {
             at(
                 "a text stands without quotes",
