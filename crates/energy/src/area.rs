@@ -26,6 +26,9 @@ pub struct Integral {
 /// Relative change of the area at which the rule is no longer doubled.
 pub const AREA_TOLERANCE: f64 = 1e-12;
 
+/// Relative rounding of a density, or of what is squared in one.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 const FIRST_RULE: usize = 8;
 const LARGEST_RULE: usize = 512;
 
@@ -68,7 +71,10 @@ pub fn integrate<const K: usize>(
         let values = by_rule(patch, points, &densities)?;
         let integrals: [Integral; K] = std::array::from_fn(|k| {
             let value = values[k];
-            let (moved, rounding) = ((value - last[k]).abs(), 64.0 * f64::EPSILON * value.abs());
+            let moved = (value - last[k]).abs();
+            // Of the value, and of the square whose parts, of the size of the floor, cancel: (√v + δ)² − v.
+            let delta = ROUNDING * floors[k].sqrt();
+            let rounding = ROUNDING * value.abs() + delta * (2.0 * value.abs().sqrt() + delta);
             moves[k] = moved.max(0.25 * moves[k]);
             let settled = moved + rounding <= tolerance * value.abs().max(floors[k]);
             let error = if settled { moved } else { 2.0 * moves[k] } + rounding;

@@ -5,7 +5,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-use energy::area;
+use energy::{area, integrate};
 use surfaces::{Domain, Helicoid, Jet, Net, Patch, Point, TensorPatch, TrapeziumHelicoid};
 
 /// A surface in closed form: domain and tangents.
@@ -175,3 +175,17 @@ const SCHERK: [(f64, f64); 4] = [
     (1.3, 13.357_200_286_880_184),
     (1.5, 29.231_986_771_644_754),
 ];
+
+/// ∫‖Δx‖² of surfaces in conformal charts is 0 exactly; what is computed is rounding, and the error has to cover it.
+#[test]
+fn errors_of_vanishing_defects_hold() {
+    for side in [0.5, 1.0, 2.0] {
+        let patch = enneper(side, side);
+        let dirichlet = |jet: &Jet| [jet.dirichlet_density()];
+        let [scale] = integrate(&patch, 1e-12, [0.0], dirichlet).unwrap();
+        let defect = |jet: &Jet| [jet.laplacian().dot(jet.laplacian())];
+        let [defect] = integrate(&patch, 1e-12, [scale.value], defect).unwrap();
+        assert!(defect.settled && defect.value <= defect.error, "{defect:?}");
+        assert!(defect.error <= 1e-24 * scale.value, "{defect:?}");
+    }
+}

@@ -29,7 +29,7 @@ pub enum ReadError {
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
     /// Too large to be one.
-    #[error("is larger than {} MiB; results of this program are not", LARGEST_FILE >> 20)]
+    #[error("is larger than {} MiB, the most that is read of a result", LARGEST_FILE >> 20)]
     TooLarge,
     /// A folder.
     #[error("is a folder: name the result.json in it")]
