@@ -77,8 +77,8 @@ book *ARGUMENTS:
 reliability: figures success-rates repeat kill
     cargo test --release -p optim --test search_laws -- --nocapture
     cargo test --release -p solve --lib error
-    cargo test --release -p plateau-cli --test fixtures --test high_degree --test reproducibility --test crashes --test full_disk
-    cargo test --release -p plateau-cli --test spec_corpus --test limits --test magnitudes --test degenerate -- --nocapture --test-threads 1
+    cargo test --release -p plateau-cli --test fixtures --test reproducibility --test crashes --test full_disk
+    cargo test --release -p plateau-cli --test high_degree --test spec_corpus --test limits --test magnitudes --test degenerate -- --nocapture --test-threads 1
     cargo run --release --quiet -- reproduce
     if command -v evolver; then just evolver; else echo "left out: the Surface Evolver is not installed"; fi
     if command -v cargo-llvm-cov; then just coverage; else echo "left out: coverage needs cargo-llvm-cov"; fi

@@ -49,11 +49,14 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
         }
         let budget = outcome.runs.iter().filter(|run| run.stopped_on_budget()).count();
         if budget > 0 {
-            warnings.push(format!(
-                "{budget} of {} runs stopped on budget, which is not convergence; their best values spread by {:.1e}",
-                outcome.runs.len(),
-                outcome.spread()
-            ));
+            let runs = outcome.runs.len();
+            let spread = match outcome.spread() {
+                _ if runs == 1 => String::new(),
+                0.0 => "; their best values are equal".to_owned(),
+                spread => format!("; their best values spread by {spread:.1e}"),
+            };
+            warnings
+                .push(format!("{budget} of {runs} runs stopped on budget, which is not convergence{spread}"));
         }
         if outcome.nan_evaluations > 0 {
             warnings.push(format!(
