@@ -10,6 +10,7 @@ use thiserror::Error;
 use crate::atomic::Claim;
 use crate::earlier::files_of;
 use crate::export::{ExportError, Subject};
+use crate::file_name::file_names;
 use crate::picture::pictures;
 use crate::report_html::page;
 use crate::result::ResultFile;
@@ -167,56 +168,4 @@ fn deformation(finished: &Finished) -> Option<(&Mesh, &Mesh, Vec<[f64; 2]>)> {
     let done: Vec<&Done> = frames.iter().map(|f| f.outcome.as_deref().ok()).collect::<Option<_>>()?;
     let weights = done.iter().map(|done| done.closed_form?.weights).collect::<Option<_>>()?;
     Some((&done.first()?.mesh, &done.last()?.mesh, weights))
-}
-
-/// Most bytes of a method's name in that of a file: file systems take 255, extension and number included.
-const LONGEST_NAME: usize = 200;
-
-/// Names of methods as names of files: lower case, words joined by dashes, made distinct by a number where needed.
-pub(crate) fn file_names<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
-    let mut files: Vec<String> = Vec::new();
-    for name in names {
-        let words: Vec<String> = name
-            .split(|c: char| !c.is_alphanumeric())
-            .filter(|word| !word.is_empty())
-            .map(str::to_lowercase)
-            .collect();
-        let mut base: String = words.join("-").chars().take(80).collect();
-        base.truncate(base.floor_char_boundary(LONGEST_NAME));
-        if base.is_empty() {
-            base = "method".into();
-        }
-        let mut file = base.clone();
-        let mut number = 2;
-        while files.contains(&file) {
-            file = format!("{base}-{number}");
-            number += 1;
-        }
-        files.push(file);
-    }
-    files
-}
-
-#[cfg(test)]
-mod tests {
-    use super::file_names;
-
-    #[test]
-    fn file_names_are_plain_and_distinct() {
-        let names = ["GT Dirichlet + PSO", "../../etc", "GT (Dirichlet) PSO", "∂∂", "…"];
-        assert_eq!(
-            file_names(names.into_iter()),
-            ["gt-dirichlet-pso", "etc", "gt-dirichlet-pso-2", "method", "method-2"]
-        );
-    }
-
-    #[test]
-    fn file_names_are_short_enough_for_file_systems() {
-        for letter in ["a", "é", "語", "𝒜", "İ"] {
-            let long = letter.repeat(300);
-            let names = file_names([long.as_str(), long.as_str()].into_iter());
-            assert!(names.iter().all(|name| (80..=220).contains(&name.len())), "{names:?}");
-            assert_ne!(names[0], names[1]);
-        }
-    }
 }

@@ -42,6 +42,7 @@ mod earlier;
 mod export;
 mod family;
 mod figures;
+mod file_name;
 mod helicoid;
 mod import;
 mod manifest;

@@ -14,8 +14,8 @@ use surfaces::{
 };
 use thiserror::Error;
 
-use crate::deliver::file_names;
 use crate::export::{self, Subject};
+use crate::file_name::file_names;
 use crate::{ExportError, Family, Format, MAX_DEGREE, SCHEMA, Surface, SurfaceForm};
 
 /// Largest size in bytes of a result file.

@@ -150,7 +150,7 @@ fn arithmetic(manifest: &Manifest) -> Arithmetic {
 fn record(plan: &Plan, finished: &Finished, unwritten: Option<&Value>) -> ResultFile {
     let unwritten = unwritten.and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
     let mut record = ResultFile::new(finished);
-    let names = crate::deliver::file_names(finished.methods.iter().map(|method| method.name.as_str()));
+    let names = crate::file_name::file_names(finished.methods.iter().map(|method| method.name.as_str()));
     for (k, (method, name)) in finished.methods.iter().zip(&names).enumerate() {
         let Ok(done) = &method.outcome else { continue };
         for &format in &plan.output.formats {

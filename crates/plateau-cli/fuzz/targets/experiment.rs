@@ -3,7 +3,9 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use plateau::{Basis, Boundary, Energy, Experiment, Interior, Options, Plan, ResultFile, Shape, StoredResult};
+use plateau::{
+    Basis, Boundary, Energy, Experiment, Interior, Options, Plan, ResultFile, Shape, StoredResult,
+};
 
 fuzz_target!(|bytes: &[u8]| {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
@@ -42,8 +44,10 @@ fn is_small(plan: &Plan) -> bool {
         && patch.methods.iter().all(|method| {
             let extremal = matches!(
                 method.interior,
-                Interior::Extremal { energy: Energy::Dirichlet | Energy::Laplacian | Energy::Coons, metric_steps: 0 }
-                    | Interior::DiscreteCoons
+                Interior::Extremal {
+                    energy: Energy::Dirichlet | Energy::Laplacian | Energy::Coons,
+                    metric_steps: 0
+                } | Interior::DiscreteCoons
                     | Interior::Mask(_)
             );
             extremal
