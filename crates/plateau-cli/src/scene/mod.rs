@@ -27,6 +27,9 @@ const COVERED: f64 = 0.98;
 /// Control nets larger than this many times their surface are not drawn at first: they would dwarf it.
 pub(crate) const LARGEST_NET: f64 = 2.5;
 
+/// The size of a surface in units of its distance from the origin below which it is rounding.
+const POINT: f64 = 1e-13;
+
 /// |H| and √|K| times the size of the surface below which they are rounding.
 const FLAT: f64 = 1e-9;
 
@@ -101,13 +104,20 @@ impl<'a> Scene<'a> {
             .filter(|shown| shown.sample.points.iter().all(|p| p.is_finite()))
             .collect();
         let [low, high] = corners(surfaces.iter().flat_map(|shown| &shown.sample.points))?;
-        let diagonal = low.distance(high);
+        let (diagonal, reach) = (low.distance(high), low.norm().max(high.norm()));
         Some(Self {
             left_out: done.len() - surfaces.len(),
             direction: Direction::showing(surfaces.iter().map(|shown| &shown.sample)),
             surfaces,
             centre: (low + high) * 0.5,
-            radius: if diagonal > 0.0 { 0.5 * diagonal } else { 1.0 },
+            radius: if diagonal > POINT * reach {
+                0.5 * diagonal
+            } else if reach > 0.0 {
+                // All in one point: its rounding is no shape to be shown large.
+                reach
+            } else {
+                1.0
+            },
         })
     }
 
