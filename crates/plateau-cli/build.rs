@@ -4,12 +4,10 @@
 
 use std::process::Command;
 
-#[path = "src/sha256.rs"]
-mod sha256;
+use sha2::{Digest, Sha256};
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
-    println!("cargo:rerun-if-changed=src/sha256.rs");
     println!("cargo:rerun-if-env-changed=PLATEAU_REVISION");
     if std::env::var_os("PLATEAU_REVISION").is_none() {
         for file in ["HEAD", "logs/HEAD"] {
@@ -27,7 +25,7 @@ fn main() {
     let lockfile = ["../../Cargo.lock", "Cargo.lock"].into_iter().find_map(|path| {
         let bytes = std::fs::read(path).ok()?;
         println!("cargo:rerun-if-changed={path}");
-        Some(sha256::sha256(&bytes))
+        Some(format!("{:x}", Sha256::digest(bytes)))
     });
     tell("PLATEAU_LOCKFILE", lockfile);
 }

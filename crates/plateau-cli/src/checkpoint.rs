@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::sha256::sha256;
+use crate::manifest::sha256;
 use crate::{Manifest, SearchRun, atomic};
 
 mod record;
@@ -191,7 +191,7 @@ impl Checkpoint {
         let runs = state.runs.iter().map(|(&(method, _), run)| RunRecord::new(method, run)).collect();
         let record = Record { schema: SCHEMA.to_owned(), manifest: self.manifest.clone(), runs };
         let outcome = serde_json::to_string(&record).map_err(io::Error::other).and_then(|body| {
-            let hash = sha256(body.as_bytes());
+            let hash = sha256(&body);
             atomic::write(&self.path, |out| write!(out, "{hash}\n{body}\n"))
         });
         let end = Instant::now();
@@ -214,7 +214,7 @@ fn parse(bytes: &[u8]) -> Result<Record, String> {
     let text = std::str::from_utf8(bytes).map_err(|_| "it is not text")?;
     let (hash, body) = text.split_once('\n').ok_or("it is cut off")?;
     let body = body.strip_suffix('\n').ok_or("it is cut off")?;
-    if sha256(body.as_bytes()) != hash {
+    if sha256(body) != hash {
         return Err("its hash is not the one it states".into());
     }
     let record: Record = serde_json::from_str(body).map_err(|error| error.to_string())?;

@@ -29,7 +29,6 @@
 
 mod arithmetic;
 mod atomic;
-mod base64;
 mod boundary_figures;
 mod checkpoint;
 mod closed_form;
@@ -58,7 +57,6 @@ mod result_reader;
 mod run;
 mod scene;
 mod schema;
-mod sha256;
 mod spec;
 mod template;
 mod verification;

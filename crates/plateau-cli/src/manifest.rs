@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
-use crate::sha256::sha256;
 use crate::{Arithmetic, Options, Plan};
 
 /// The origin of a result: the program, the processor, the experiment. With it one file is enough to compute the result
@@ -59,14 +59,14 @@ impl Manifest {
             arithmetic: options.arithmetic,
             seed: options.seed.unwrap_or(plan.seed),
             file: name.map_or_else(|| plan.file.clone(), |name| name.to_string_lossy().into_owned()),
-            sha256: sha256(plan.text.as_bytes()),
+            sha256: sha256(&plan.text),
             experiment: plan.text.clone(),
         }
     }
 
     /// Whether the experiment in it is the one whose hash it states.
     pub fn is_intact(&self) -> bool {
-        sha256(self.experiment.as_bytes()) == self.sha256
+        sha256(&self.experiment) == self.sha256
     }
 
     /// In which of its parts another manifest differs, in words; nothing if they are equal.
@@ -127,4 +127,9 @@ fn cpu_features() -> Vec<&'static str> {
 fn cpu_features() -> Vec<&'static str> {
     // Elsewhere the baseline of the architecture is all that is used.
     Vec::new()
+}
+
+/// The SHA-256 of a text in hexadecimal digits, as `sha256sum` prints it.
+pub(crate) fn sha256(text: &str) -> String {
+    format!("{:x}", Sha256::digest(text))
 }

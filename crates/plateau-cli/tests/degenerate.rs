@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use base64::prelude::{BASE64_STANDARD, Engine};
 use plateau::{Finished, Options, Plan, ResultFile, deliver, run};
 
 fn fixtures() -> BTreeMap<String, PathBuf> {
@@ -246,22 +247,8 @@ fn vtu(text: &str, path: &Path) {
     let mut arrays = 0;
     for array in text.split("<DataArray").skip(1).filter(|array| array.contains("Float64")) {
         let data = array.split_once('>').unwrap().1.split('<').next().unwrap().trim();
-        doubles(&base64(data)[8..], path);
+        doubles(&BASE64_STANDARD.decode(data).unwrap()[8..], path);
         arrays += 1;
     }
     assert!(arrays >= 4, "{}", path.display());
-}
-
-fn base64(text: &str) -> Vec<u8> {
-    const LETTERS: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let (mut bytes, mut bits, mut count) = (Vec::new(), 0u32, 0);
-    for letter in text.bytes().filter(|&letter| letter != b'=') {
-        bits = bits << 6 | LETTERS.iter().position(|&l| l == letter).unwrap() as u32;
-        count += 6;
-        if count >= 8 {
-            count -= 8;
-            bytes.push((bits >> count) as u8);
-        }
-    }
-    bytes
 }

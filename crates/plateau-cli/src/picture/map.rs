@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
+use base64::prelude::{BASE64_STANDARD, Engine};
 use surfaces::Domain;
 
 use super::axis::{Axis, frame, number};
 use super::svg::{Anchor, Font, INK, Length, Svg, path, shortened};
-use super::{Picture, arrange, colour_bar, png};
-use crate::base64::base64;
+use super::{Picture, arrange, colour_bar};
 use crate::colour;
 use crate::scene::{Field, Scene, Shown, spread};
 
@@ -103,9 +103,9 @@ fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2
 /// The map as a small PNG, which viewers smooth.
 fn raster(shown: &Shown<'_>, full: f64, side: usize) -> String {
     let values = shown.sample.values(Field::Mean);
-    let mut palette: Vec<[u8; 3]> =
-        (0..NO_VALUE).map(|k| colour::diverging((f64::from(k) - 127.0) / 127.0)).collect();
-    palette.push(colour::NONE);
+    let mut palette: Vec<u8> =
+        (0..NO_VALUE).flat_map(|k| colour::diverging((f64::from(k) - 127.0) / 127.0)).collect();
+    palette.extend(colour::NONE);
     let at = |k: usize| (k as f64 + 0.5) / side as f64;
     let mut pixels = Vec::with_capacity(side * side);
     for row in (0..side).rev() {
@@ -117,7 +117,20 @@ fn raster(shown: &Shown<'_>, full: f64, side: usize) -> String {
             );
         }
     }
-    base64(&png::encode(side, &pixels, &palette))
+    BASE64_STANDARD
+        .encode(image(side, &pixels, palette).expect("pixels for each place, and memory takes all bytes"))
+}
+
+/// A square PNG whose pixels are places in a palette.
+fn image(side: usize, pixels: &[u8], palette: Vec<u8>) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, side as u32, side as u32);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_palette(palette);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()?;
+    Ok(bytes)
 }
 
 /// The segments in which the linear interpolant on triangles has the value `level`.

@@ -6,7 +6,6 @@ mod convergence;
 mod curvature;
 mod deformation;
 mod map;
-mod png;
 mod svg;
 mod view;
 

@@ -1,8 +1,8 @@
 //! The surfaces as the viewer of the report reads them.
 
+use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::{Value, json};
 
-use crate::base64::base64;
 use crate::colour;
 use crate::picture::digits;
 use crate::scene::{Field, LARGEST_NET, Scene, Shown};
@@ -37,7 +37,7 @@ fn scene_value(scene: &Scene<'_>) -> Value {
         .collect();
     let scale = |colour: &dyn Fn(f64) -> [u8; 3]| {
         let colours: Vec<u8> = (0..=255u8).flat_map(|k| colour(f64::from(k) / 255.0)).collect();
-        base64(&colours)
+        BASE64_STANDARD.encode(colours)
     };
     json!({
         "fields": described,
@@ -85,12 +85,11 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
             "large": shown.net_size() > LARGEST_NET,
             "points": points(&net.points),
             "boundary": net.on_boundary.iter().map(|&b| u8::from(b)).collect::<Vec<_>>(),
-            "edges": base64(&edges),
+            "edges": BASE64_STANDARD.encode(edges),
         },
     })
 }
 
 fn floats(values: impl Iterator<Item = f32>) -> String {
-    let bytes: Vec<u8> = values.flat_map(f32::to_le_bytes).collect();
-    base64(&bytes)
+    BASE64_STANDARD.encode(values.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
 }
