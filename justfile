@@ -21,7 +21,7 @@ repeat:
 
 # How often the swarm finds known minima, 100 seeds each; `just success-rates-peer` asks pyswarms the same.
 success-rates:
-    cargo run --release -p optim --example success_rates
+    cargo run --release -p plateau-optim --example success_rates
 
 # The same of pyswarms. Two minutes.
 success-rates-peer:
@@ -46,12 +46,12 @@ bench-peer:
 
 # The figures of accuracy that the book quotes, in full: two minutes.
 figures:
-    cargo test --release -p bases --test accuracy -- --ignored --nocapture
-    cargo test --release -p surfaces --test accuracy -- --ignored --nocapture
-    cargo test --release -p energy --test area_bounds --test galerkin -- --nocapture --test-threads 1
-    cargo test --release -p energy --test minimality -- --include-ignored --nocapture --test-threads 1
-    cargo test --release -p solve --test ratio --test certificate -- --nocapture --test-threads 1
-    cargo test --release -p solve --test agreement --test gradient -- --nocapture --test-threads 1
+    cargo test --release -p plateau-bases --test accuracy -- --ignored --nocapture
+    cargo test --release -p plateau-surfaces --test accuracy -- --ignored --nocapture
+    cargo test --release -p plateau-energy --test area_bounds --test galerkin -- --nocapture --test-threads 1
+    cargo test --release -p plateau-energy --test minimality -- --include-ignored --nocapture --test-threads 1
+    cargo test --release -p plateau-solve --test ratio --test certificate -- --nocapture --test-threads 1
+    cargo test --release -p plateau-solve --test agreement --test gradient -- --nocapture --test-threads 1
 
 # Least areas beside those of the Surface Evolver (Debian package `evolver`).
 evolver:
@@ -75,8 +75,8 @@ book *ARGUMENTS:
 
 # Every figure of docs/reliability.md: under twenty minutes after the build. The Evolver, LLVM's tools and cargo-fuzz are used where they are there.
 reliability: figures success-rates repeat kill
-    cargo test --release -p optim --test search_laws -- --nocapture
-    cargo test --release -p solve --lib error
+    cargo test --release -p plateau-optim --test search_laws -- --nocapture
+    cargo test --release -p plateau-solve --lib error
     cargo test --release -p plateau-cli --test fixtures --test reproducibility --test crashes --test full_disk
     cargo test --release -p plateau-cli --test high_degree --test spec_corpus --test limits --test magnitudes --test degenerate -- --nocapture --test-threads 1
     cargo run --release --quiet -- reproduce

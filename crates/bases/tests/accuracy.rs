@@ -1,7 +1,7 @@
 //! The table of accuracy: errors of all families in u = 2⁻⁵³ against references of 31 digits.
 //!
 //! A small table is made by every run of the tests; the one with 10⁴ points a degree by
-//! `cargo test --release -p bases --test accuracy -- --ignored --nocapture`.
+//! `cargo test --release -p plateau-bases --test accuracy -- --ignored --nocapture`.
 #![allow(clippy::print_stdout, reason = "the table is the point")]
 
 mod extended;

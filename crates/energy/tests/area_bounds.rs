@@ -1,6 +1,6 @@
 //! Areas known in closed form: the error that is reported is never less than the true one, and seldom far more.
 //!
-//! The table: `cargo test --release -p energy --test area_bounds -- --nocapture`.
+//! The table: `cargo test --release -p plateau-energy --test area_bounds -- --nocapture`.
 #![allow(clippy::print_stdout, reason = "the table is the point")]
 
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};

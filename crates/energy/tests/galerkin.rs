@@ -1,7 +1,7 @@
 //! Galerkin orthogonality: the extremal is orthogonal to every free function, with integrals by another quadrature than
 //! the one that assembled its system. A residual cannot see a wrong matrix; this can.
 //!
-//! The table: `cargo test --release -p energy --test galerkin -- --nocapture`.
+//! The table: `cargo test --release -p plateau-energy --test galerkin -- --nocapture`.
 #![allow(clippy::print_stdout, reason = "the table is the point")]
 
 mod extremals;

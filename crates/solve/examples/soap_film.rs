@@ -1,6 +1,6 @@
 //! A Bernstein patch over the boundary of (x, y, eˣ cos y), which is harmonic: the extremal finds the surface.
 //!
-//! `cargo run --release -p solve --example soap_film`
+//! `cargo run --release -p plateau-solve --example soap_film`
 #![allow(clippy::print_stdout)]
 
 #[path = "../tests/families/mod.rs"]

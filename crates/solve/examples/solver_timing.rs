@@ -1,4 +1,4 @@
-//! Nanoseconds for one reduced energy on both paths: `cargo run --release -p solve --example solver_timing`.
+//! Nanoseconds for one reduced energy on both paths: `cargo run --release -p plateau-solve --example solver_timing`.
 #![allow(clippy::print_stdout)]
 
 #[path = "../tests/families/mod.rs"]

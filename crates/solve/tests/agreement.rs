@@ -1,6 +1,6 @@
 //! One net, every solver: the surfaces agree to `100 ε κ̂`, with κ̂ the condition that the dense solver reports.
 //!
-//! The table: `cargo test --release -p solve --test agreement -- --nocapture`.
+//! The table: `cargo test --release -p plateau-solve --test agreement -- --nocapture`.
 #![allow(clippy::print_stdout, reason = "the table is the point")]
 
 mod families;

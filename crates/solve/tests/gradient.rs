@@ -1,7 +1,7 @@
 //! The envelope gradient ∂J/∂θ, which comes with the solve, against differences of J in 31 digits: J assembled, solved and
 //! differenced apart from the crate.
 //!
-//! The figure: `cargo test --release -p solve --test gradient -- --nocapture`.
+//! The figure: `cargo test --release -p plateau-solve --test gradient -- --nocapture`.
 #![allow(clippy::print_stdout, reason = "the figure is the point")]
 
 #[path = "../../bases/tests/extended/mod.rs"]

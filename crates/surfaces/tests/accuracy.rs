@@ -1,6 +1,6 @@
 //! Errors of the triangular Bernstein polynomials in u = 2⁻⁵³ against references of 31 digits.
 //!
-//! The table with 10⁴ points a degree: `cargo test --release -p surfaces --test accuracy -- --ignored --nocapture`.
+//! The table with 10⁴ points a degree: `cargo test --release -p plateau-surfaces --test accuracy -- --ignored --nocapture`.
 #![allow(clippy::print_stdout, reason = "the table is the point")]
 
 #[path = "../../bases/tests/extended/mod.rs"]
