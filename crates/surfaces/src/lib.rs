@@ -24,6 +24,8 @@
 //! # Ok::<(), surfaces::SurfaceError>(())
 //! ```
 
+mod bezier;
+mod complex;
 mod curve;
 mod deformation;
 mod discrete_coons;
@@ -45,6 +47,8 @@ mod triangle;
 mod triangle_basis;
 mod triangle_net;
 
+pub use bezier::Bezier;
+pub use complex::{Complex, ComplexError, Edge, EdgeUse, Face, FixedEdge, Side, Vertex};
 pub use curve::{Curve, CurveJet};
 pub use deformation::{Deformation, DeformationPath};
 pub use discrete_coons::{discrete_coons, discrete_coons_triangle};

@@ -1,0 +1,206 @@
+//! Complexes: shared points, the Coons start, raised degrees, what the constructor refuses.
+
+use proptest::prelude::*;
+use surfaces::{Bezier, Complex, ComplexError, FixedEdge, Patch, Point, Side, Vertex};
+
+/// A cyclic loop of n quads around a free centre: v0 … v(n−1), m0 … m(n−1), c; quad k is (v_k, m_k, c, m_{k−1}).
+struct Fan {
+    vertices: Vec<Vertex>,
+    faces: Vec<[usize; 4]>,
+    rim: Vec<FixedEdge>,
+}
+
+fn fan(sides: &[Bezier]) -> Fan {
+    let n = sides.len();
+    let (mut vertices, mut rim) = (Vec::new(), Vec::new());
+    let halves: Vec<[Bezier; 2]> = sides.iter().map(|side| side.split(0.5)).collect();
+    vertices.extend(halves.iter().map(|[first, _]| Vertex::Fixed(first.start())));
+    vertices.extend(halves.iter().map(|[first, _]| Vertex::Fixed(first.end())));
+    vertices.push(Vertex::Free(None));
+    for (k, [first, second]) in halves.into_iter().enumerate() {
+        rim.push(FixedEdge { ends: [k, n + k], curve: first });
+        rim.push(FixedEdge { ends: [n + k, (k + 1) % n], curve: second });
+    }
+    let faces = (0..n).map(|k| [k, n + k, 2 * n, n + (k + n - 1) % n]).collect();
+    Fan { vertices, faces, rim }
+}
+
+impl Fan {
+    fn complex(&self, degree: usize) -> Result<Complex, ComplexError> {
+        Complex::new(degree, &self.vertices, &self.faces, &self.rim)
+    }
+}
+
+fn sides() -> impl Strategy<Value = Vec<Bezier>> {
+    let point = prop::array::uniform3(-1.0..1.0f64).prop_map(Point::from);
+    (3usize..8, 1usize..4)
+        .prop_flat_map(move |(n, degree)| {
+            prop::collection::vec(prop::collection::vec(point.clone(), degree), n)
+        })
+        .prop_map(|loops| {
+            let n = loops.len();
+            let side = |k: usize| {
+                let mut points = loops[k].clone();
+                points.push(loops[(k + 1) % n][0]);
+                Bezier::new(points).unwrap()
+            };
+            (0..n).map(side).collect()
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn faces_at_an_edge_have_the_same_points_there(sides in sides(), degree in 3usize..7, t in 0.0..1.0f64) {
+        let complex = fan(&sides).complex(degree).unwrap();
+        prop_assert_eq!(complex.edges().iter().map(|e| e.uses().len()).sum::<usize>(), 4 * complex.faces().len());
+        for (number, edge) in complex.edges().iter().enumerate() {
+            let nodes = complex.edge_nodes(number);
+            prop_assert_eq!([nodes[0], nodes[degree]], edge.ends());
+            let curve = Bezier::new(nodes.iter().map(|&k| complex.points()[k]).collect()).unwrap();
+            for here in edge.uses() {
+                prop_assert_eq!(complex.faces()[here.face].edges()[here.side as usize], number);
+                let (u, v) = here.side.parameters(if here.reversed { 1.0 - t } else { t });
+                let point = complex.patch(here.face).unwrap().point(u, v);
+                prop_assert!(point.distance(curve.point(t)) < 1e-14, "{:?}", here);
+            }
+        }
+    }
+
+    #[test]
+    fn the_rim_stays_on_its_curves(sides in sides(), degree in 3usize..7, t in 0.0..1.0f64) {
+        let fan = fan(&sides);
+        let complex = fan.complex(degree).unwrap();
+        let fixed = complex.edges().iter().filter(|edge| edge.is_fixed()).count();
+        prop_assert_eq!(fixed, fan.rim.len());
+        for FixedEdge { ends, curve } in &fan.rim {
+            let same = |edge: &surfaces::Edge| edge.ends() == *ends || edge.ends() == [ends[1], ends[0]];
+            let number = complex.edges().iter().position(same).unwrap();
+            let nodes = complex.edge_nodes(number);
+            prop_assert!(nodes.iter().all(|&k| complex.fixed()[k]));
+            let raised = Bezier::new(nodes.iter().map(|&k| complex.points()[k]).collect()).unwrap();
+            let along = if nodes[0] == ends[0] { t } else { 1.0 - t };
+            prop_assert!(raised.point(along).distance(curve.point(t)) < 1e-14);
+        }
+    }
+
+    #[test]
+    fn a_raised_complex_is_the_same_surface(sides in sides(), k in 0usize..4, u in 0.0..1.0f64, v in 0.0..1.0f64) {
+        let complex = fan(&sides).complex(4).unwrap();
+        let raised = complex.with_degree(4 + k).unwrap();
+        prop_assert_eq!(raised.degree(), 4 + k);
+        prop_assert_eq!(raised.points().len(), raised.fixed().len());
+        for face in 0..complex.faces().len() {
+            let (a, b) = (complex.patch(face).unwrap().point(u, v), raised.patch(face).unwrap().point(u, v));
+            prop_assert!(a.distance(b) < 1e-13, "{} {:?} {:?}", face, a, b);
+        }
+        let free = |c: &Complex| (0..c.vertices()).filter(|&v| !c.fixed()[v]).count();
+        prop_assert_eq!(free(&complex), free(&raised));
+    }
+
+    #[test]
+    fn the_start_moves_with_the_frame(sides in sides(), angle in 0.0..6.0f64, shift in -5.0..5.0f64) {
+        let (s, c) = (libm::sin(angle), libm::cos(angle));
+        let moved = |p: Point| Point::new(c * p.x - s * p.y + shift, s * p.x + c * p.y, p.z - shift);
+        let image: Vec<Bezier> = sides
+            .iter()
+            .map(|side| Bezier::new(side.points().iter().map(|&p| moved(p)).collect()).unwrap())
+            .collect();
+        let (a, b) = (fan(&sides).complex(4).unwrap(), fan(&image).complex(4).unwrap());
+        for (&p, &q) in a.points().iter().zip(b.points()) {
+            prop_assert!(moved(p).distance(q) < 1e-12);
+        }
+    }
+}
+
+/// A grid of n × n unit squares whose rim is the graph of a linear function: the start is that graph.
+#[test]
+fn the_start_over_a_plane_is_the_plane() {
+    let n = 7;
+    let height = |x: f64, y: f64| 0.3 * x - 0.7 * y + 0.1;
+    let at = |k: usize| {
+        let (x, y) = ((k % (n + 1)) as f64, (k / (n + 1)) as f64);
+        Point::new(x, y, height(x, y))
+    };
+    let on_rim = |k: usize| [k % (n + 1), k / (n + 1)].iter().any(|&x| x == 0 || x == n);
+    let vertices: Vec<Vertex> = (0..(n + 1) * (n + 1))
+        .map(|k| if on_rim(k) { Vertex::Fixed(at(k)) } else { Vertex::Free(None) })
+        .collect();
+    let faces: Vec<[usize; 4]> =
+        (0..n * n).map(|k| (k / n) * (n + 1) + k % n).map(|a| [a, a + 1, a + n + 2, a + n + 1]).collect();
+    let complex = Complex::new(3, &vertices, &faces, &[]).unwrap();
+    for (k, &point) in complex.points()[..vertices.len()].iter().enumerate() {
+        assert!(point.distance(at(k)) < 1e-13, "{k} {point:?}");
+    }
+    let off = complex.points().iter().map(|p| (p.z - height(p.x, p.y)).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-13, "{off}");
+}
+
+/// Three squares at one edge, as pages of a book.
+#[test]
+fn three_faces_share_an_edge() {
+    let point = |angle: f64, z: f64| Point::new(libm::cos(angle), libm::sin(angle), z);
+    let mut vertices = vec![Vertex::Fixed(Point::ZERO), Vertex::Fixed(Point::new(0.0, 0.0, 1.0))];
+    let mut faces = Vec::new();
+    for k in 0..3 {
+        let angle = 2.0 * k as f64;
+        vertices.extend([0.0, 1.0].map(|z| Vertex::Fixed(point(angle, z))));
+        // The second page runs the other way.
+        faces.push(if k == 1 { [1, 0, 4, 5] } else { [0, 1, 2 * k + 3, 2 * k + 2] });
+    }
+    let complex = Complex::new(4, &vertices, &faces, &[]).unwrap();
+    let spine = complex.edges().iter().find(|edge| edge.ends() == [0, 1]).unwrap();
+    let uses: Vec<(usize, Side, bool)> = spine.uses().iter().map(|u| (u.face, u.side, u.reversed)).collect();
+    assert_eq!(uses, [(0, Side::V0, false), (1, Side::V0, true), (2, Side::V0, false)]);
+}
+
+#[test]
+fn unsound_complexes_are_refused() {
+    let corners = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(Point::from);
+    let fixed = corners.map(Vertex::Fixed);
+    let quad = [[0, 1, 2, 3]];
+    let line = |a: usize, b: usize| FixedEdge {
+        ends: [a, b],
+        curve: Bezier::new(vec![corners[a], corners[b]]).unwrap(),
+    };
+    let new = |degree, vertices: &[Vertex], faces: &[[usize; 4]], curves: &[FixedEdge]| {
+        Complex::new(degree, vertices, faces, curves).unwrap_err()
+    };
+    assert_eq!(new(3, &fixed, &[], &[]), ComplexError::NoFace);
+    assert!(matches!(new(0, &fixed, &quad, &[]), ComplexError::Degree { degree: 0, .. }));
+    assert!(matches!(new(3, &fixed, &[[0, 1, 2, 9]], &[]), ComplexError::UnknownVertex { vertex: 9, .. }));
+    assert!(matches!(
+        new(3, &fixed, &[[0, 1, 2, 1]], &[]),
+        ComplexError::RepeatedVertex { face: 0, vertex: 1 }
+    ));
+    assert_eq!(new(3, &fixed, &quad, &[line(0, 2)]), ComplexError::UnusedCurve { ends: [0, 2] });
+    let twice = new(3, &fixed, &quad, &[line(0, 1), line(1, 0)]);
+    assert_eq!(twice, ComplexError::TwoCurves { ends: [1, 0] });
+    let elsewhere = FixedEdge { ends: [0, 1], curve: Bezier::new(vec![corners[0], corners[2]]).unwrap() };
+    assert!(matches!(new(3, &fixed, &quad, &[elsewhere]), ComplexError::Corner { vertex: 1, .. }));
+    let cubic = FixedEdge {
+        ends: [0, 1],
+        curve: Bezier::new(vec![corners[0], corners[3], corners[2], corners[1]]).unwrap(),
+    };
+    assert!(matches!(new(2, &fixed, &quad, &[cubic]), ComplexError::CurveDegree { found: 3, degree: 2, .. }));
+    let mut one_free = fixed;
+    one_free[1] = Vertex::Free(None);
+    assert_eq!(new(3, &one_free, &quad, &[line(0, 1)]), ComplexError::FreeEnd { vertex: 1 });
+    assert!(matches!(new(3, &[Vertex::Free(None); 4], &quad, &[]), ComplexError::Loose { .. }));
+    let mut five = fixed.to_vec();
+    five.push(Vertex::Free(None));
+    assert_eq!(new(3, &five, &quad, &[]), ComplexError::UnusedVertex { vertex: 4 });
+    five[4] = Vertex::Fixed(Point::new(f64::NAN, 0.0, 0.0));
+    assert!(matches!(
+        new(3, &five, &[[0, 1, 2, 4], [0, 1, 2, 3]], &[]),
+        ComplexError::NotFinite { vertex: 4 }
+    ));
+
+    let complex = Complex::new(3, &fixed, &quad, &[line(0, 1)]).unwrap();
+    let moved = complex.points().iter().map(|&p| p + Point::new(0.0, 0.0, 1.0)).collect();
+    assert_eq!(complex.with_points(moved).unwrap_err(), ComplexError::FixedPoint { index: 0 });
+    assert!(matches!(complex.with_points(Vec::new()), Err(ComplexError::Points { expected: 16, found: 0 })));
+    assert!(matches!(complex.with_degree(2), Err(ComplexError::Lowered { degree: 2, own: 3 })));
+    assert!(matches!(complex.with_degree(1000), Err(ComplexError::Degree { .. })));
+}
