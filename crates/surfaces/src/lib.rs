@@ -24,9 +24,9 @@
 //! # Ok::<(), surfaces::SurfaceError>(())
 //! ```
 
-mod bezier;
 mod complex;
 mod curve;
+mod curves;
 mod deformation;
 mod discrete_coons;
 mod error;
@@ -47,9 +47,9 @@ mod triangle;
 mod triangle_basis;
 mod triangle_net;
 
-pub use bezier::Bezier;
 pub use complex::{Complex, ComplexError, Edge, EdgeUse, Face, FixedEdge, Side, Vertex};
 pub use curve::{Curve, CurveJet};
+pub use curves::{Bezier, BoundaryCurve, CurveError, EllipseArc, Polyline, Samples, SplineCurve};
 pub use deformation::{Deformation, DeformationPath};
 pub use discrete_coons::{discrete_coons, discrete_coons_triangle};
 pub use error::SurfaceError;

@@ -2,7 +2,7 @@
 
 use super::{Complex, ComplexError};
 use crate::Point;
-use crate::bezier::raised_once;
+use crate::curves::raised_once;
 
 impl Complex {
     /// The same surface with patches of degree `degree`, at least its own: exact but for rounding. Points on fixed edges
