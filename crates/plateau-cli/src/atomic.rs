@@ -1,27 +1,38 @@
 //! Files that are either whole or not there.
 
-use std::fs::{self, File, TryLockError};
+use std::fs::{self, File, Metadata, TryLockError};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
+
+use crate::destination::folder_of;
 
 /// How the names of files begin that are not whole yet.
 const UNFINISHED: &str = ".plateau-";
 
 /// Writes `path` by way of a temporary file in the same folder: whoever looks finds the old file or the new one,
-/// whole, also after a crash. Missing folders are made.
+/// whole, also after a crash. Missing folders are made. A file that is replaced passes its permissions on.
 ///
 /// # Errors
 /// Whatever the file system says; the old file, if any, is then untouched.
 pub(crate) fn write(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = folder_of(path);
     fs::create_dir_all(folder)?;
     let mut file = BufWriter::new(unfinished(folder)?);
     fill(&mut file)?;
     let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
+    if let Some(old) = regular(path) {
+        file.as_file().set_permissions(old.permissions())?;
+    }
     file.as_file().sync_all()?;
     file.persist(path)?;
     // The rename itself is durable only once the folder is; elsewhere folders cannot be opened.
     if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+}
+
+/// What the file system says of a regular file under its own name. Whatever else stands in a folder of ours was put there by
+/// others: to open a pipe is to wait for its other end, and a link leads out of the folder.
+pub(crate) fn regular(path: &Path) -> Option<Metadata> {
+    fs::symlink_metadata(path).ok().filter(Metadata::is_file)
 }
 
 /// A folder that this process alone writes to: other processes that want it are refused, until this is dropped or the
@@ -58,13 +69,13 @@ pub(crate) fn prepare(folder: &Path) -> io::Result<Claim> {
 fn clean(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {
+        let path = entry.path();
+        if entry.file_name().to_string_lossy().starts_with(UNFINISHED) && regular(&path).is_some() {
             // A writer that lives holds the lock; a file that stays is harmless.
-            let path = entry.path();
             if let Ok(file) = File::open(&path)
                 && file.try_lock().is_ok()
             {
-                // Removed under the lock, lest its writer gets that meanwhile.
+                // Removed under the lock, so that its writer cannot get that meanwhile.
                 let _ = fs::remove_file(&path);
             }
         }

@@ -95,12 +95,14 @@ impl Checkpoint {
     /// # Errors
     /// [`CheckpointError`]; the checkpoint then has no runs.
     pub fn load(&self) -> Result<usize, CheckpointError> {
-        let mut bytes = Vec::new();
-        match fs::File::open(&self.path) {
-            Ok(file) => file.take(LARGEST_FILE).read_to_end(&mut bytes)?,
+        match fs::symlink_metadata(&self.path) {
+            Ok(found) if found.is_file() => {}
+            Ok(_) => return Err(CheckpointError::Damaged("it is not a regular file".into())),
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(0),
             Err(error) => return Err(error.into()),
-        };
+        }
+        let mut bytes = Vec::new();
+        fs::File::open(&self.path)?.take(LARGEST_FILE).read_to_end(&mut bytes)?;
         let record = parse(&bytes).map_err(CheckpointError::Damaged)?;
         let differences = record.manifest.differences(&self.manifest);
         if !differences.is_empty() {
@@ -137,11 +139,14 @@ impl Checkpoint {
         self.lock().problem.as_ref().map(ToString::to_string)
     }
 
-    /// Removes the file, if there is one: the experiment is done.
+    /// Removes the file, if there is one: the experiment is done. What is no regular file was put there by others and stays.
     ///
     /// # Errors
     /// What the file system says.
     pub fn remove(&self) -> io::Result<()> {
+        if atomic::regular(&self.path).is_none() {
+            return Ok(());
+        }
         match fs::remove_file(&self.path) {
             Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
             _ => Ok(()),

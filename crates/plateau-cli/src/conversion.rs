@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use plateau::{ExportError, StoredMethod, StoredResult};
+use plateau::{Destination, ExportError, StoredMethod, StoredResult};
 
 use crate::command::{ExportArguments, Failure, say};
 
@@ -26,13 +26,18 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
     let folder = result.parent().unwrap_or(Path::new(""));
     let mut sound = true;
     for method in chosen {
-        let path = match &arguments.out {
-            Some(path) => path.clone(),
-            None => folder.join(format!("{}.{}", method.file_name, format.name())),
+        let to = match &arguments.out {
+            Some(path) => named(path, result)?,
+            None => Destination::own(folder.join(format!("{}.{}", method.file_name, format.name()))),
         };
-        match method.export(format, arguments.mesh.into(), arguments.tolerance, &path) {
-            Ok(None) => writeln!(stdout, "{}", path.display())?,
-            Ok(Some(form)) => writeln!(stdout, "{}: {}", path.display(), form.description)?,
+        let path = to.path().display();
+        let written = method.export(format, arguments.mesh.into(), arguments.tolerance, &to);
+        match written
+            .map(|form| form.map_or(format!("{path}"), |form| format!("{path}: {}", form.description)))
+        {
+            // What is read at once may be read from stdout.
+            Ok(line) if to.is_stream() => say(&line),
+            Ok(line) => writeln!(stdout, "{line}")?,
             Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
                 say(&format!("error: {error}"));
                 sound = false;
@@ -40,6 +45,20 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
         }
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// The file a person asked for; never the result itself.
+fn named(path: &Path, result: &Path) -> Result<Destination, Failure> {
+    let refuse = |why: String| {
+        say(&format!("error: {}: {why}", path.display()));
+        Failure::Input
+    };
+    let to = Destination::named(path).map_err(|error| refuse(format!("cannot be written: {error}")))?;
+    if to.replaces(result) {
+        let why = "is the result that is read, and would be replaced: give --out another name";
+        return Err(refuse(why.into()));
+    }
+    Ok(to)
 }
 
 /// Prints an experiment over the boundary in a file.

@@ -1,5 +1,6 @@
 //! The folder of a finished experiment.
 
+use std::collections::HashSet;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -11,15 +12,36 @@ use crate::atomic::Claim;
 use crate::earlier::files_of;
 use crate::export::{ExportError, Subject};
 use crate::file_name::file_names;
-use crate::picture::pictures;
+use crate::picture::{PICTURES, pictures};
 use crate::report_html::page;
 use crate::result::ResultFile;
 use crate::run::{Done, Finished};
 use crate::scene::Scene;
-use crate::{Format, Plan, Progress, atomic, export};
+use crate::{Destination, Format, Plan, Progress, atomic, export};
 
+/// The record of an experiment, in its folder.
+pub(crate) const RESULT_FILE: &str = "result.json";
 /// The page of an experiment, in its folder.
 const REPORT_FILE: &str = "report.html";
+/// The samples of a curve.
+const CURVE_FILE: &str = "curve.csv";
+/// A deformation of helicoids.
+const DEFORMATION_FILE: &str = "deformation.glb";
+
+/// The file of a method's surface; `name` is its name among [`file_names`].
+pub(crate) fn surface_file(name: &str, format: Format) -> String {
+    format!("{name}.{}", format.name())
+}
+
+fn picture_file(name: &str) -> String {
+    format!("{name}.svg")
+}
+
+/// Whether files of experiments, not of methods, have this name.
+pub(crate) fn is_file_of_experiment(file: &str) -> bool {
+    [REPORT_FILE, CURVE_FILE, DEFORMATION_FILE].contains(&file)
+        || PICTURES.iter().any(|picture| file == picture_file(picture))
+}
 
 /// A result that could not be kept.
 #[derive(Debug, Error)]
@@ -57,8 +79,8 @@ pub fn prepare(plan: &Plan, out: &Path) -> Result<Claim, DeliverError> {
 }
 
 /// Writes `out/<stem>/result.json` and the files the plan asks for, each whole or not at all; `result.json` last, so that
-/// a folder that has it is complete. Files that the result before it names and this one does not are then removed: they show
-/// what is no more. Nothing else in the folder is touched.
+/// a folder that has it is complete. Files that were written with the result before it and are not among those of this one are
+/// then removed: they show what is no more. Nothing else in the folder is touched.
 ///
 /// # Errors
 /// [`DeliverError`] names the file; what was there before is untouched.
@@ -77,7 +99,7 @@ pub fn deliver_watched(
     progress: &dyn Progress,
 ) -> Result<Delivered, DeliverError> {
     let folder = out.join(&plan.stem);
-    let before = files_of(&folder);
+    let before = files_of(plan, &folder);
     let (mut notes, mut refusals) = (Vec::new(), Vec::new());
     let write = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
         let path = folder.join(name);
@@ -92,13 +114,18 @@ pub fn deliver_watched(
             for &format in &plan.output.formats {
                 let subject = Subject { name: &method.name, mesh: &done.mesh };
                 let solved = (&done.solved.surface, done.solved.family);
-                let file = format!("{file}.{}", format.name());
+                let file = surface_file(file, format);
                 if progress.cancelled() {
                     record.add_unwritten(&file);
                     continue;
                 }
-                match export::write(format, &subject, solved, plan.output.step_tolerance, &folder.join(&file))
-                {
+                match export::write(
+                    format,
+                    &subject,
+                    solved,
+                    plan.output.step_tolerance,
+                    &Destination::own(folder.join(&file)),
+                ) {
                     Ok(form) => {
                         if let Some(form) = &form {
                             notes.push(format!("{file}: {}", form.description));
@@ -123,12 +150,12 @@ pub fn deliver_watched(
             Ok(())
         };
         if let Some(curve) = &finished.curve {
-            keep("curve.csv", &|out| export::csv::write(curve, out))?;
+            keep(CURVE_FILE, &|out| export::csv::write(curve, out))?;
         }
         if plan.output.formats.contains(&Format::Glb)
             && let Some((helicoid, catenoid, weights)) = deformation(finished)
         {
-            keep("deformation.glb", &|out| {
+            keep(DEFORMATION_FILE, &|out| {
                 export::deformation::write(&finished.title, helicoid, catenoid, &weights, out)
             })?;
         }
@@ -136,7 +163,7 @@ pub fn deliver_watched(
             let scene = Scene::of(finished);
             let pictures = pictures(plan, finished, scene.as_ref());
             for picture in &pictures {
-                keep(&format!("{}.svg", picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
+                keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
             }
             let report = page(plan, finished, scene.as_ref(), &pictures);
             keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))?;
@@ -148,10 +175,11 @@ pub fn deliver_watched(
     if let Err(DeliverError { path, .. }) = &files {
         record.add_unwritten(&path.file_name().unwrap_or_default().to_string_lossy());
     }
-    write("result.json", &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
+    write(RESULT_FILE, &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
     files?;
-    let now = files_of(&folder);
-    for name in before.iter().filter(|name| !now.contains(name)) {
+    // A disk that does not tell capitals apart has them under either name.
+    let now: HashSet<String> = record.files().map(str::to_lowercase).collect();
+    for name in before.iter().filter(|name| !now.contains(&name.to_lowercase())) {
         if let Err(error) = fs::remove_file(folder.join(name))
             && error.kind() != io::ErrorKind::NotFound
         {

@@ -1,11 +1,15 @@
 //! The result of an experiment that was run before.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use serde::Deserialize;
 
-use crate::result_reader::contents;
-use crate::{Manifest, Options, Plan, SCHEMA};
+use crate::deliver::{RESULT_FILE, is_file_of_experiment, surface_file};
+use crate::file_name::file_names;
+use crate::plan::stem;
+use crate::result_reader::own_contents;
+use crate::{Format, Manifest, Options, Plan, SCHEMA};
 
 /// A whole result in the folder of an experiment: another run would write the same bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -47,27 +51,48 @@ struct FileEntry {
 /// As much of a record as says which files were written with it.
 #[derive(Deserialize)]
 struct Listing {
+    schema: String,
     #[serde(default)]
-    methods: Vec<Entry>,
+    methods: Vec<Named>,
+    #[serde(default)]
+    files: Vec<FileEntry>,
+    manifest: Manifest,
+}
+
+#[derive(Deserialize)]
+struct Named {
+    name: String,
     #[serde(default)]
     files: Vec<FileEntry>,
 }
 
-/// The files that the result in `folder` names beside itself; none if there is no result.
-pub(crate) fn files_of(folder: &Path) -> Vec<String> {
-    let Ok(json) = contents(&folder.join("result.json")) else { return Vec::new() };
-    let Ok(listing) = serde_json::from_slice::<Listing>(&json) else { return Vec::new() };
-    let of_methods = listing.methods.into_iter().flat_map(|method| method.files);
-    let names = of_methods.chain(listing.files).map(|entry| entry.file);
-    // What leads out of the folder is no file of this program.
-    names.filter(|name| Path::new(name).file_name().is_some_and(|plain| plain == name.as_str())).collect()
+/// The files beside the record in the folder of `plan` that were written with it: those that it names and that this program
+/// names so. A record of another experiment, or one that was tampered with, speaks for none.
+pub(crate) fn files_of(plan: &Plan, folder: &Path) -> BTreeSet<String> {
+    listing(folder)
+        .filter(|record| record.schema == SCHEMA && record.manifest.is_intact())
+        .filter(|record| stem(&record.manifest.file) == plan.stem)
+        .map(|record| {
+            let names = file_names(record.methods.iter().map(|method| method.name.as_str()));
+            let of_methods = record.methods.iter().zip(&names).flat_map(|(method, name)| {
+                let own = |file: &&FileEntry| Format::ALL.iter().any(|f| file.file == surface_file(name, *f));
+                method.files.iter().filter(own)
+            });
+            let own = |file: &&FileEntry| is_file_of_experiment(&file.file);
+            of_methods.chain(record.files.iter().filter(own)).map(|entry| entry.file.clone()).collect()
+        })
+        .unwrap_or_default()
+}
+
+fn listing(folder: &Path) -> Option<Listing> {
+    serde_json::from_slice(&own_contents(&folder.join(RESULT_FILE)).ok()?).ok()
 }
 
 /// What `out` holds of `plan`: a result with the manifest this program would write, all files it names beside it.
 /// Anything else is none: the experiment is to be run.
 pub fn earlier(plan: &Plan, options: Options, out: &Path) -> Option<Earlier> {
     let folder = out.join(&plan.stem);
-    let json = String::from_utf8(contents(&folder.join("result.json")).ok()?).ok()?;
+    let json = String::from_utf8(own_contents(&folder.join(RESULT_FILE)).ok()?).ok()?;
     let record: Record = serde_json::from_str(&json).ok()?;
     let same = record.schema == SCHEMA && record.manifest == Manifest::new(plan, options);
     let mut files = record.methods.iter().flat_map(|method| &method.files).chain(&record.files);

@@ -20,6 +20,8 @@ mod patch;
 mod search;
 mod shape;
 
+pub(crate) use file::stem;
+
 pub use expected::{Expected, Published, Quantity};
 pub use surfaces::DeformationPath;
 

@@ -223,6 +223,15 @@ impl ResultFile {
         }
     }
 
+    /// The files written beside the record.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
+        let of_methods = self.methods.iter().flat_map(|method| match method {
+            MethodEntry::Done(method) => method.files.as_slice(),
+            MethodEntry::Failed { .. } => &[],
+        });
+        of_methods.chain(&self.files).map(|entry| entry.file.as_str())
+    }
+
     /// Files that were asked for and are not there.
     pub fn unwritten(&self) -> &[String] {
         &self.unwritten

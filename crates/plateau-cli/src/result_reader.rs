@@ -1,7 +1,7 @@
 //! `result.json` read back: the surfaces of its methods, bit for bit.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -14,9 +14,10 @@ use surfaces::{
 };
 use thiserror::Error;
 
+use crate::atomic::regular;
 use crate::export::{self, Subject};
 use crate::file_name::file_names;
-use crate::{ExportError, Family, Format, MAX_DEGREE, SCHEMA, Surface, SurfaceForm};
+use crate::{Destination, ExportError, Family, Format, MAX_DEGREE, SCHEMA, Surface, SurfaceForm};
 
 /// Largest size in bytes of a result file.
 const LARGEST_FILE: u64 = 64 * 1024 * 1024;
@@ -159,7 +160,16 @@ impl StoredResult {
     }
 }
 
-/// The bytes of a file that may be a result.
+/// The bytes of a result in a folder of this program. What is no regular file there is none of ours: a pipe would keep its
+/// reader waiting.
+pub(crate) fn own_contents(path: &Path) -> Result<Vec<u8>, ReadError> {
+    match regular(path) {
+        Some(_) => contents(path),
+        None => Err(io::Error::from(ErrorKind::NotFound).into()),
+    }
+}
+
+/// The bytes of a file that may be a result, or of a pipe, where a person named one.
 pub(crate) fn contents(path: &Path) -> Result<Vec<u8>, ReadError> {
     if path.is_dir() {
         return Err(ReadError::Folder);
@@ -180,14 +190,14 @@ impl StoredMethod {
         format: Format,
         subdivisions: usize,
         tolerance: f64,
-        path: &Path,
+        to: &Destination,
     ) -> Result<Option<SurfaceForm>, ExportError> {
         let (surface, family) = self.surface.as_ref().map_err(|error| ExportError::Refused {
-            path: path.to_owned(),
+            path: to.path().to_owned(),
             reason: format!("the method failed: {error}"),
         })?;
         let mesh = if format == Format::Step { Mesh::default() } else { surface.mesh(subdivisions) };
-        export::write(format, &Subject { name: &self.name, mesh: &mesh }, (surface, *family), tolerance, path)
+        export::write(format, &Subject { name: &self.name, mesh: &mesh }, (surface, *family), tolerance, to)
     }
 }
 

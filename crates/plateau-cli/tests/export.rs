@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use plateau::{DEFAULT_TOLERANCE, ExportError, Format, Options, Plan, ReadError, StoredResult, deliver, run};
+use plateau::{
+    DEFAULT_TOLERANCE, Destination, ExportError, Format, Options, Plan, ReadError, StoredResult, deliver, run,
+};
 use proptest::prelude::*;
 
 const NET: &str = "[boundary]\n\
@@ -80,7 +82,7 @@ fn stored_surfaces_are_those_that_were_found() {
             for format in Format::ALL {
                 let written = delivered.folder.join(format!("{}.{format}", stored.file_name));
                 let again = folder.0.join("again");
-                stored.export(format, 6, DEFAULT_TOLERANCE, &again).unwrap();
+                stored.export(format, 6, DEFAULT_TOLERANCE, &Destination::own(again.clone())).unwrap();
                 assert_eq!(fs::read(written).unwrap(), fs::read(again).unwrap(), "{} {format}", stored.name);
             }
         }
@@ -253,7 +255,8 @@ fn refused_at(size: &str) {
         refused[0].contains("single precision of STL") && refused[1].contains("single precision of glTF")
     );
     let stored = StoredResult::read(&delivered.folder.join("result.json")).unwrap();
-    let error = stored.methods[0].export(Format::Stl, 4, 1e-6, &folder.0.join("x.stl")).unwrap_err();
+    let to = Destination::own(folder.0.join("x.stl"));
+    let error = stored.methods[0].export(Format::Stl, 4, 1e-6, &to).unwrap_err();
     assert!(matches!(error, ExportError::Refused { .. }) && !folder.0.join("x.stl").exists());
 }
 
@@ -379,4 +382,46 @@ proptest! {
             }
         }
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_was_named_is_treated_as_what_it_is() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new("destination");
+    let plan =
+        Plan::parse("x.toml", &format!("title = 'x'\n{NET}[[method]]\nname = 'm'\nenergy = 'dirichlet'\n"))
+            .unwrap();
+    deliver(&plan, &run(&plan, Options::default(), &()).unwrap(), &folder.0).unwrap();
+    let result = folder.0.join("x/result.json");
+    let before = fs::read(&result).unwrap();
+    let export = |format: &str, out: &std::path::Path| {
+        Command::new(env!("CARGO_BIN_EXE_plateau"))
+            .args(["export", "--format", format, "--out"])
+            .args([out, &result])
+            .output()
+            .unwrap()
+    };
+    // The result itself, under either of its names.
+    let link = folder.0.join("link.obj");
+    std::os::unix::fs::symlink(&result, &link).unwrap();
+    for out in [&result, &link] {
+        let output = export("obj", out);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("is the result that is read"), "{output:?}");
+        assert!(fs::read(&result).unwrap() == before);
+    }
+    let plain = folder.0.join("plain.step");
+    assert!(export("step", &plain).status.success());
+    let expected = fs::read(&plain).unwrap();
+    // What is written to stdout is the file and nothing else.
+    let output = export("step", std::path::Path::new("/dev/stdout"));
+    assert!(output.status.success() && output.stdout == expected, "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("exact: a polynomial surface"), "{output:?}");
+    let private = folder.0.join("private.step");
+    fs::write(&private, "").unwrap();
+    fs::set_permissions(&private, fs::Permissions::from_mode(0o600)).unwrap();
+    assert!(export("step", &private).status.success());
+    assert_eq!(fs::metadata(&private).unwrap().permissions().mode() & 0o777, 0o600);
+    assert!(fs::read(&private).unwrap() == expected);
 }

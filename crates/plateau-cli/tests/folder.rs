@@ -69,6 +69,87 @@ fn what_a_result_no_longer_names_is_removed_and_nothing_else() {
 }
 
 #[test]
+fn a_planted_record_removes_nothing() {
+    let plain = EXPERIMENT.replace("formats = [\"obj\", \"step\"]", "pictures = false\nformats = [\"obj\"]");
+    let foreign = ["thesis.tex", "thesis.obj", "mine.svg", "other.step"];
+    let named =
+        |files: &[&str]| files.iter().map(|file| serde_json::json!({ "file": file })).collect::<Vec<_>>();
+    for sound in [false, true] {
+        let out = tempfile::tempdir().unwrap();
+        let folder = out.path().join("x");
+        made(&plain, out.path());
+        for name in foreign {
+            fs::write(folder.join(name), "mine").unwrap();
+        }
+        fs::write(out.path().join("vv"), "mine").unwrap();
+        let everything =
+            named(&["thesis.tex", "result.json", "../vv", "gt.obj", "GT.obj", "checkpoint", "mine.svg"]);
+        // Another experiment's record may name anything as its own; this one's may name what it can have written.
+        let bare = serde_json::json!({ "schema": "plateau-result/1" });
+        let mut planted = if sound { record(&folder) } else { bare };
+        planted["files"] = everything.into();
+        planted["methods"] = serde_json::json!([
+            { "name": "GT", "files": named(&["thesis.obj", "result.json", "gt.obj", "gt.json"]) },
+            { "name": "Other", "files": named(&["other.step"]) },
+        ]);
+        if sound {
+            planted["manifest"]["file"] = "elsewhere.toml".into();
+        }
+        fs::write(folder.join("result.json"), planted.to_string()).unwrap();
+        made(&plain, out.path());
+        let expected = BTreeSet::from(foreign.map(str::to_owned))
+            .into_iter()
+            .chain(["gt.obj", "result.json"].map(str::to_owned));
+        assert_eq!(names(&folder), expected.collect());
+        assert!(out.path().join("vv").is_file());
+    }
+}
+
+#[test]
+fn files_of_every_kind_go_when_they_are_not_asked_for_any_more() {
+    let curve =
+        "title = \"c\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0, 0], [1, 1], [2, 0]]\nsamples = 5\n";
+    let helicoid = "title = \"h\"\n[helicoid]\na = 1.0\nb = 2.0\nu-span = 1.0\nv-span = 1.0\nframes = 3\n\
+                    [output]\nmesh = 4\nformats = [\"glb\"]\n";
+    let bare =
+        EXPERIMENT.replace("formats = [\"obj\", \"step\"]", "pictures = false").replace("search = true", "");
+    let bare = bare.replace("basis = \"gt\"", "");
+    for text in [EXPERIMENT, curve, helicoid] {
+        let out = tempfile::tempdir().unwrap();
+        made(text, out.path());
+        assert!(names(&out.path().join("x")).len() > 2);
+        made(&bare, out.path());
+        assert!(
+            names(&out.path().join("x")).iter().eq(["result.json"]),
+            "{:?}",
+            names(&out.path().join("x"))
+        );
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn pipes_in_the_folder_keep_nobody_waiting() {
+    let out = tempfile::tempdir().unwrap();
+    let folder = out.path().join("x");
+    fs::create_dir(&folder).unwrap();
+    for name in ["result.json", "checkpoint", ".plateau-abcdef"] {
+        let made = std::process::Command::new("mkfifo").arg(folder.join(name)).status().unwrap();
+        assert!(made.success());
+    }
+    let plan = Plan::parse("x.toml", EXPERIMENT).unwrap();
+    let _claim = plateau::prepare(&plan, out.path()).unwrap();
+    assert!(earlier(&plan, Options::default(), out.path()).is_none());
+    let manifest = plateau::Manifest::new(&plan, Options::default());
+    let checkpoint = plateau::Checkpoint::new(&folder, manifest, std::time::Duration::ZERO);
+    assert!(checkpoint.load().unwrap_err().to_string().contains("not a regular file"));
+    made(EXPERIMENT, out.path());
+    checkpoint.remove().unwrap();
+    assert!(fs::symlink_metadata(folder.join("result.json")).unwrap().is_file());
+    assert!(folder.join("checkpoint").exists() && folder.join(".plateau-abcdef").exists());
+}
+
+#[test]
 fn a_result_lacking_one_of_its_files_is_run_again() {
     let curve =
         "title = \"c\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0, 0], [1, 1], [2, 0]]\nsamples = 5\n";

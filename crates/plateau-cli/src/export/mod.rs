@@ -17,7 +17,7 @@ use std::path::Path;
 use surfaces::{Mesh, Point};
 use thiserror::Error;
 
-use crate::{DeliverError, Family, Format, Surface, atomic};
+use crate::{DeliverError, Destination, Family, Format, Surface};
 use step::StepFile;
 
 /// Largest distance of a fitted surface from the patch where none is asked for, as a share of the size.
@@ -63,7 +63,7 @@ pub enum ExportError {
     Failed(#[from] DeliverError),
 }
 
-/// Writes one file, whole or not at all. `tolerance` is a share of the size and bounds the distance of a fitted surface from
+/// Writes one file. `tolerance` is a share of the size and bounds the distance of a fitted surface from
 /// the patch. For formats that hold the surface by a formula, what they hold.
 ///
 /// # Errors
@@ -73,9 +73,9 @@ pub(crate) fn write(
     subject: &Subject<'_>,
     (surface, family): (&Surface, Family),
     tolerance: f64,
-    path: &Path,
+    to: &Destination,
 ) -> Result<Option<SurfaceForm>, ExportError> {
-    encode(format, subject, (surface, family), tolerance, path, &|fill| atomic::write(path, fill))
+    encode(format, subject, (surface, family), tolerance, to.path(), &|fill| to.write(fill))
 }
 
 /// As [`write`], but nothing is written: what the file would hold.

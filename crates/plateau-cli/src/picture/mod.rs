@@ -15,9 +15,13 @@ pub(crate) use svg::Escaped;
 use crate::scene::Scene;
 use crate::{Experiment, Finished, Plan};
 
+/// The names of all pictures there are.
+pub(crate) const PICTURES: [&str; 5] =
+    ["surfaces", "deformation", "mean-curvature", "convergence", "curvature"];
+
 /// A picture with its name.
 pub(crate) struct Picture {
-    /// The name of its file, without `.svg`.
+    /// The name of its file, without `.svg`; one of [`PICTURES`].
     pub(crate) name: &'static str,
     /// What it shows, in a sentence.
     pub(crate) caption: String,

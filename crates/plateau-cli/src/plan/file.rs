@@ -166,7 +166,7 @@ fn plan(check: &mut Check<'_>, spec: &Spec, file: &str) -> Option<Plan> {
 }
 
 /// The file name without its folders and its last extension; never empty, and no name of a folder above (`...toml`).
-fn stem(file: &str) -> String {
+pub(crate) fn stem(file: &str) -> String {
     Path::new(file)
         .file_stem()
         .map(|stem| stem.to_string_lossy().into_owned())
