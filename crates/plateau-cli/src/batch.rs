@@ -4,8 +4,8 @@ use std::io::Write;
 use std::time::Duration;
 
 use plateau::{
-    Checkpoint, Finished, Manifest, Options, Plan, Progress, deliver_watched, earlier, prepare, run_kept,
-    table,
+    Checkpoint, Finished, Manifest, Options, Plan, Progress, deliver_watched, earlier, folder, prepare,
+    run_kept, table,
 };
 
 use crate::bars::Bars;
@@ -78,7 +78,7 @@ fn experiment(
     bars: &Bars,
     stdout: &mut impl Write,
 ) -> Result<Outcome, Failure> {
-    let (out, folder) = (&arguments.out, arguments.out.join(&plan.stem));
+    let (out, folder) = (&arguments.out, folder(plan, &arguments.out));
     let _claim = match prepare(plan, out) {
         Ok(claim) => claim,
         Err(error) => {
@@ -167,7 +167,7 @@ fn repeat(
     arguments: &RunArguments,
     stdout: &mut impl Write,
 ) -> Result<Outcome, Failure> {
-    let folder = arguments.out.join(&plan.stem);
+    let folder = folder(plan, &arguments.out);
     if arguments.json {
         write!(stdout, "{}", earlier.json)?;
     } else {

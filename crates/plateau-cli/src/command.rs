@@ -8,7 +8,7 @@ use clap::builder::PossibleValue;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use plateau::{Experiment, Plan, Refusal, Template};
+use plateau::{Experiment, Plan, Refusal, Template, folder, folder_key};
 
 /// Patches of least energy and least area over a given boundary.
 ///
@@ -272,14 +272,16 @@ pub(crate) fn start_threads(threads: Option<u16>) -> Result<(), Failure> {
 
 /// Two files whose results would lie in the same folder are bad usage.
 pub(crate) fn distinct_stems(plans: &[Plan], out: &Path) -> Result<(), Failure> {
-    let mut first: HashMap<&str, &str> = HashMap::new();
+    let mut first: HashMap<String, &Plan> = HashMap::new();
     for plan in plans {
-        if let Some(other) = first.insert(&plan.stem, &plan.file) {
-            let folder = out.join(&plan.stem);
+        if let Some(other) = first.insert(folder_key(plan), plan) {
+            let [mine, theirs] = [plan, other].map(|plan| folder(plan, out));
+            let but = if mine == theirs { "" } else { ", where a disk does not tell capitals apart" };
             say(&format!(
-                "error: {other} and {} would both write to {}: rename one, or run them with different --out",
+                "error: {} and {} would both write to {}{but}: rename one, or run them with different --out",
+                other.file,
                 plan.file,
-                folder.display()
+                theirs.display()
             ));
             return Err(Failure::Input);
         }

@@ -12,36 +12,15 @@ use crate::atomic::Claim;
 use crate::earlier::files_of;
 use crate::export::{ExportError, Subject};
 use crate::file_name::file_names;
-use crate::picture::{PICTURES, pictures};
+use crate::folder::{
+    CURVE_FILE, DEFORMATION_FILE, REPORT_FILE, RESULT_FILE, caseless, folder, picture_file, surface_file,
+};
+use crate::picture::pictures;
 use crate::report_html::page;
 use crate::result::ResultFile;
 use crate::run::{Done, Finished};
 use crate::scene::Scene;
 use crate::{Destination, Format, Plan, Progress, atomic, export};
-
-/// The record of an experiment, in its folder.
-pub(crate) const RESULT_FILE: &str = "result.json";
-/// The page of an experiment, in its folder.
-const REPORT_FILE: &str = "report.html";
-/// The samples of a curve.
-const CURVE_FILE: &str = "curve.csv";
-/// A deformation of helicoids.
-const DEFORMATION_FILE: &str = "deformation.glb";
-
-/// The file of a method's surface; `name` is its name among [`file_names`].
-pub(crate) fn surface_file(name: &str, format: Format) -> String {
-    format!("{name}.{}", format.name())
-}
-
-fn picture_file(name: &str) -> String {
-    format!("{name}.svg")
-}
-
-/// Whether files of experiments, not of methods, have this name.
-pub(crate) fn is_file_of_experiment(file: &str) -> bool {
-    [REPORT_FILE, CURVE_FILE, DEFORMATION_FILE].contains(&file)
-        || PICTURES.iter().any(|picture| file == picture_file(picture))
-}
 
 /// A result that could not be kept.
 #[derive(Debug, Error)]
@@ -74,7 +53,7 @@ pub struct Delivered {
 /// # Errors
 /// [`DeliverError`] names the folder.
 pub fn prepare(plan: &Plan, out: &Path) -> Result<Claim, DeliverError> {
-    let folder = out.join(&plan.stem);
+    let folder = folder(plan, out);
     atomic::prepare(&folder).map_err(|source| DeliverError { path: folder, source })
 }
 
@@ -98,7 +77,7 @@ pub fn deliver_watched(
     out: &Path,
     progress: &dyn Progress,
 ) -> Result<Delivered, DeliverError> {
-    let folder = out.join(&plan.stem);
+    let folder = folder(plan, out);
     let before = files_of(plan, &folder);
     let (mut notes, mut refusals) = (Vec::new(), Vec::new());
     let write = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
@@ -178,8 +157,8 @@ pub fn deliver_watched(
     write(RESULT_FILE, &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
     files?;
     // A disk that does not tell capitals apart has them under either name.
-    let now: HashSet<String> = record.files().map(str::to_lowercase).collect();
-    for name in before.iter().filter(|name| !now.contains(&name.to_lowercase())) {
+    let now: HashSet<String> = record.files().map(caseless).collect();
+    for name in before.iter().filter(|name| !now.contains(&caseless(name))) {
         if let Err(error) = fs::remove_file(folder.join(name))
             && error.kind() != io::ErrorKind::NotFound
         {

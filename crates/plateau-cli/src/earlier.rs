@@ -5,8 +5,8 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use crate::deliver::{RESULT_FILE, is_file_of_experiment, surface_file};
 use crate::file_name::file_names;
+use crate::folder::{RESULT_FILE, folder, folder_name, is_file_of_experiment, surface_file};
 use crate::plan::stem;
 use crate::result_reader::own_contents;
 use crate::{Format, Manifest, Options, Plan, SCHEMA};
@@ -71,7 +71,7 @@ struct Named {
 pub(crate) fn files_of(plan: &Plan, folder: &Path) -> BTreeSet<String> {
     listing(folder)
         .filter(|record| record.schema == SCHEMA && record.manifest.is_intact())
-        .filter(|record| stem(&record.manifest.file) == plan.stem)
+        .filter(|record| folder_name(&stem(&record.manifest.file)) == folder_name(&plan.stem))
         .map(|record| {
             let names = file_names(record.methods.iter().map(|method| method.name.as_str()));
             let of_methods = record.methods.iter().zip(&names).flat_map(|(method, name)| {
@@ -91,7 +91,7 @@ fn listing(folder: &Path) -> Option<Listing> {
 /// What `out` holds of `plan`: a result with the manifest this program would write, all files it names beside it.
 /// Anything else is none: the experiment is to be run.
 pub fn earlier(plan: &Plan, options: Options, out: &Path) -> Option<Earlier> {
-    let folder = out.join(&plan.stem);
+    let folder = folder(plan, out);
     let json = String::from_utf8(own_contents(&folder.join(RESULT_FILE)).ok()?).ok()?;
     let record: Record = serde_json::from_str(&json).ok()?;
     let same = record.schema == SCHEMA && record.manifest == Manifest::new(plan, options);

@@ -2,18 +2,21 @@
 
 use std::collections::{HashMap, HashSet};
 
+use crate::folder::{caseless, is_device};
+
 /// Most bytes of a method's name in that of a file: file systems take 255, extension and number included.
 const LONGEST: usize = 200;
 
-/// Names of files: lower case, words joined by dashes, made distinct by a number where needed.
+/// Names of files: lower case, words joined by dashes, made distinct by a number where needed; taken by every system, and
+/// distinct on disks that do not tell capitals apart.
 pub(crate) fn file_names<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let (mut taken, mut numbers) = (HashSet::new(), HashMap::new());
     let mut distinct = |name: &str| {
         let plain = plain(name);
         let mut file = plain.clone();
         // Numbers go on where they stopped: thousands of equal names are no trouble.
-        let number = numbers.entry(plain.clone()).or_insert(1_usize);
-        while !taken.insert(file.clone()) {
+        let number = numbers.entry(caseless(&plain)).or_insert(1_usize);
+        while !taken.insert(caseless(&file)) {
             *number += 1;
             file = format!("{plain}-{number}");
         }
@@ -30,7 +33,11 @@ fn plain(name: &str) -> String {
         .collect();
     let mut plain: String = words.join("-").chars().take(80).collect();
     plain.truncate(plain.floor_char_boundary(LONGEST));
-    if plain.is_empty() { "method".into() } else { plain }
+    match plain.as_str() {
+        "" => "method".into(),
+        device if is_device(device) => format!("method-{device}"),
+        _ => plain,
+    }
 }
 
 #[cfg(test)]
@@ -46,6 +53,24 @@ mod tests {
         );
         // A number may be taken by a name.
         assert_eq!(file_names(["a 2", "a", "a", "a"].into_iter()), ["a-2", "a", "a-3", "a-4"]);
+    }
+
+    #[test]
+    fn file_names_are_taken_by_every_system() {
+        let names = ["con", "CON", "AUX", "nul.", "com¹", "com 1", "straße", "STRASSE", "ς", "Σ"];
+        let files = [
+            "method-con",
+            "method-con-2",
+            "method-aux",
+            "method-nul",
+            "method-com¹",
+            "com-1",
+            "straße",
+            "strasse-2",
+            "ς",
+            "σ-2",
+        ];
+        assert_eq!(file_names(names.into_iter()), files);
     }
 
     #[test]

@@ -1,25 +1,44 @@
-//! Ctrl-C.
+//! Ctrl-C, and being asked to end by the system.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
 use crate::command::say;
 
-/// Set by Ctrl-C: the work at hand ends as soon as it can.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Signals within this time are one wish to end: a terminal that is closed sends several.
+const ONE_WISH: Duration = Duration::from_millis(500);
+
+/// Since when an end is wanted: the work at hand ends as soon as it can.
+static INTERRUPTED: OnceLock<Instant> = OnceLock::new();
 
 /// Whether the user wants an end.
 pub(crate) fn interrupted() -> bool {
-    INTERRUPTED.load(Ordering::Relaxed)
+    INTERRUPTED.get().is_some()
 }
 
-/// First Ctrl-C: end cleanly. Second: end at once.
+/// First Ctrl-C, or SIGTERM or SIGHUP: end cleanly. Second: end at once.
 pub(crate) fn listen() {
+    // Whoever ignores hangups (`nohup`) goes on when the terminal is closed; the listener would hear them nevertheless.
+    if ignores_hangups() {
+        return;
+    }
     let handler = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+        if INTERRUPTED.get_or_init(Instant::now).elapsed() > ONE_WISH {
             std::process::exit(130);
         }
     });
     if let Err(error) = handler {
         say(&format!("warning: Ctrl-C will end the program at once: {error}"));
     }
+}
+
+/// Whether the program was started to outlive its terminal, where the system says so.
+fn ignores_hangups() -> bool {
+    const HANGUP: u64 = 1;
+    let ignored = || {
+        let status = std::fs::read_to_string("/proc/self/status").ok()?;
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"))?;
+        u64::from_str_radix(mask.trim(), 16).ok()
+    };
+    cfg!(target_os = "linux") && ignored().is_some_and(|ignored| ignored & HANGUP != 0)
 }

@@ -43,6 +43,7 @@ mod export;
 mod family;
 mod figures;
 mod file_name;
+mod folder;
 mod helicoid;
 mod import;
 mod manifest;
@@ -75,6 +76,7 @@ pub use earlier::{Earlier, earlier};
 pub use export::{DEFAULT_TOLERANCE, ExportError, SurfaceForm};
 pub use family::Family;
 pub use figures::Figures;
+pub use folder::{folder, folder_key};
 pub use import::{ImportError, import};
 pub use manifest::{Manifest, Origin};
 pub use method::{

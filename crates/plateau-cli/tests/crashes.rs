@@ -307,7 +307,13 @@ fn text_of(output: &Output) -> String {
 }
 
 #[test]
-fn ctrl_c_keeps_the_finished_runs_and_says_how_to_go_on() {
+fn being_asked_to_end_keeps_the_finished_runs_and_says_how_to_go_on() {
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        asked_to_end(signal);
+    }
+}
+
+fn asked_to_end(signal: &str) {
     let folder = tempfile::tempdir().unwrap();
     let files = [folder.path().join("first.toml"), folder.path().join("long.toml")];
     fs::write(&files[0], fixture("gt-5.1.toml", 20, 40, 6)).unwrap();
@@ -325,7 +331,7 @@ fn ctrl_c_keeps_the_finished_runs_and_says_how_to_go_on() {
             sleep(Duration::from_millis(2));
         }
         sleep(Duration::from_millis(100) * 3_u32.pow(attempt / 3));
-        let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        let sent = Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
         assert!(sent.success());
         let output = child.wait_with_output().unwrap();
         text(&output.stderr).contains("long.toml kept").then_some(output)
@@ -346,6 +352,30 @@ fn ctrl_c_keeps_the_finished_runs_and_says_how_to_go_on() {
     let undisturbed = folder.path().join("undisturbed");
     assert!(plateau(&files, &undisturbed, &[]).output().unwrap().status.success());
     assert!(contents(&out) == contents(&undisturbed));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn who_outlives_the_terminal_is_not_ended_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("x.toml");
+    fs::write(&file, fixture("gt-5.2-local.toml", 50, 800, 20)).unwrap();
+    let out = folder.path().join("out");
+    let mut child = Command::new("nohup")
+        .arg(env!("CARGO_BIN_EXE_plateau"))
+        .arg("run")
+        .args([&file, Path::new("--out"), &out])
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while !out.join("x").exists() && child.try_wait().unwrap().is_none() {
+        sleep(Duration::from_millis(2));
+    }
+    assert!(Command::new("kill").args(["-HUP", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success() && out.join("x/result.json").exists(), "{output:?}");
 }
 
 #[test]
