@@ -10,6 +10,9 @@ pub enum EnergyError {
     /// The patch or its net is not what the energy is for.
     #[error(transparent)]
     Surface(#[from] surfaces::SurfaceError),
+    /// The complex cannot be had at the degree asked for.
+    #[error(transparent)]
+    Complex(#[from] surfaces::ComplexError),
     /// The chart is singular where the energy needs its normal or its metric.
     #[error(
         "the patch is singular at (u, v) = ({u}, {v}): x_u and x_v are parallel there (EG − F² = 0); \

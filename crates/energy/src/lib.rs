@@ -7,6 +7,8 @@
 //! until it has settled and says how far to trust it, [`area_with_gradient`] and [`triangle_area_with_gradient`]
 //! differentiate it, [`AreaExpansion`] twice.
 //!
+//! Far from any patch, a [`Calibration`] bounds the area of *every* graph with a given rim from below, and [`certify`] proves it.
+//!
 //! Always area ≤ Dirichlet energy, with equality exactly for conformal charts.
 //!
 //! ```
@@ -26,6 +28,9 @@ mod area_hessian;
 mod area_product;
 mod area_sampled;
 mod bending;
+mod bernstein_form;
+mod calibration;
+mod calibration_proof;
 mod coons;
 mod dense;
 mod dirichlet;
@@ -45,6 +50,8 @@ pub use area::{AREA_TOLERANCE, Integral, area, area_derivative, area_with_gradie
 pub use area_hessian::AreaExpansion;
 pub use area_product::ProductArea;
 pub use area_sampled::SampledArea;
+pub use calibration::{Calibration, Plane};
+pub use calibration_proof::{Unproved, certify};
 pub use dense::DenseForm;
 pub use error::EnergyError;
 pub use functional::{DensityTerm, Functional};
