@@ -71,7 +71,6 @@ fn the_bound_of_the_saddle_frame_is_just_below_its_least_area() {
         assert!(proved <= least && (found - proved).abs() < 1e-6, "{degree}: {proved} {found}");
         gaps.push(least - proved);
     }
-    println!("gaps {gaps:?}");
     assert!(gaps.windows(2).all(|pair| pair[1] < pair[0]) && gaps[3] < 1e-7, "{gaps:?}");
 }
 
