@@ -6,7 +6,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use plateau::Progress;
+use plateau::{Printable, Progress};
 
 use crate::interrupt::interrupted;
 
@@ -86,7 +86,7 @@ impl Progress for Bars {
         let bar = style
             .map(|style| bar.clone().with_style(style.with_key("left", left)))
             .unwrap_or(bar)
-            .with_prefix(what.to_owned());
+            .with_prefix(Printable(what).to_string());
         self.with(|slot| *slot = Some(Work { bar, begun: Instant::now() }));
     }
 
@@ -104,7 +104,7 @@ impl Progress for Bars {
         if self.shown {
             self.with(|slot| {
                 if let Some(Work { bar, .. }) = slot {
-                    bar.set_message(state.to_owned());
+                    bar.set_message(Printable(state).to_string());
                 }
             });
         }

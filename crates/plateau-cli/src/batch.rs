@@ -9,7 +9,7 @@ use plateau::{
 };
 
 use crate::bars::Bars;
-use crate::command::{self, Failure, RunArguments, say};
+use crate::command::{self, Failure, RunArguments, line, say};
 use crate::interrupt::{interrupted, listen};
 use crate::outlet::Outlet;
 
@@ -139,9 +139,9 @@ fn experiment(
                 write!(stdout, "{}", delivered.record.to_json().map_err(std::io::Error::other)?)?;
             } else {
                 for note in &delivered.notes {
-                    writeln!(stdout, "{note}")?;
+                    line(stdout, note)?;
                 }
-                writeln!(stdout, "written to {}", delivered.folder.display())?;
+                line(stdout, &format!("written to {}", delivered.folder.display()))?;
             }
             for refusal in &delivered.refusals {
                 say(&format!("error: {refusal}"));
@@ -171,7 +171,8 @@ fn repeat(
     if arguments.json {
         write!(stdout, "{}", earlier.json)?;
     } else {
-        writeln!(stdout, "{}\nnot run again: its result is in {}", plan.title, folder.display())?;
+        line(stdout, &plan.title)?;
+        line(stdout, &format!("not run again: its result is in {}", folder.display()))?;
     }
     stdout.flush()?;
     let (missed, failed) = (earlier.missed, earlier.failed);

@@ -8,7 +8,7 @@ use clap::builder::PossibleValue;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use plateau::{Experiment, Plan, Refusal, Template, folder, folder_key};
+use plateau::{Experiment, Plan, Printable, Refusal, Template, folder, folder_key};
 
 /// Patches of least energy and least area over a given boundary.
 ///
@@ -294,7 +294,7 @@ pub(crate) fn check(files: &[PathBuf], stdout: &mut impl Write) -> Result<(), Fa
     let mut sound = true;
     for file in files {
         match Plan::read(file) {
-            Ok(plan) => writeln!(stdout, "{}: sound, {}", plan.file, subject(&plan))?,
+            Ok(plan) => line(stdout, &format!("{}: sound, {}", plan.file, subject(&plan)))?,
             Err(refusal) => {
                 stdout.flush()?;
                 tell(&refusal);
@@ -352,12 +352,18 @@ fn subject(plan: &Plan) -> String {
 }
 
 /// A refusal on stderr, coloured only on a terminal that wants colours.
-fn tell(refusal: &Refusal) {
+pub(crate) fn tell(refusal: &Refusal) {
     let wanted = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    say(&refusal.render(wanted && io::stderr().is_terminal()));
+    let report = refusal.render(wanted && io::stderr().is_terminal());
+    let _ = writeln!(io::stderr().lock(), "{report}");
 }
 
-/// A line on stderr; if stderr is closed there is nobody left to tell.
+/// A line on stderr, whatever names it quotes; if stderr is closed there is nobody left to tell.
 pub(crate) fn say(message: &str) {
-    let _ = writeln!(io::stderr().lock(), "{message}");
+    let _ = writeln!(io::stderr().lock(), "{}", Printable(message));
+}
+
+/// A line on stdout, whatever names it quotes.
+pub(crate) fn line(stdout: &mut impl Write, text: &str) -> io::Result<()> {
+    writeln!(stdout, "{}", Printable(text))
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use plateau::{Destination, ExportError, StoredMethod, StoredResult};
 
-use crate::command::{ExportArguments, Failure, say};
+use crate::command::{ExportArguments, Failure, line, say};
 
 /// Writes the files; one that is refused keeps none of the others back.
 pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Result<(), Failure> {
@@ -36,8 +36,8 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
             .map(|form| form.map_or(format!("{path}"), |form| format!("{path}: {}", form.description)))
         {
             // What is read at once may be read from stdout.
-            Ok(line) if to.is_stream() => say(&line),
-            Ok(line) => writeln!(stdout, "{line}")?,
+            Ok(told) if to.is_stream() => say(&told),
+            Ok(told) => line(stdout, &told)?,
             Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
                 say(&format!("error: {error}"));
                 sound = false;

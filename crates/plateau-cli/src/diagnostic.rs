@@ -7,6 +7,9 @@ use std::ops::Range;
 
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 
+use crate::Printable;
+use crate::printable::stand_ins;
+
 mod nearest;
 
 pub(crate) use nearest::nearest;
@@ -116,26 +119,31 @@ impl Diagnostic {
         self.span.as_ref().map(|span| position(text, span.start))
     }
 
+    /// Names and values that the words quote are made printable, and so are the lines of the file.
     fn render(&self, renderer: &Renderer, file: &str, text: &str) -> String {
+        let printable = |words: &String| Printable(words).to_string();
+        let (message, label, file) =
+            (printable(&self.message), printable(&self.label), Printable(file).to_string());
+        let labels: Vec<String> = self.related.iter().map(|(_, label)| printable(label)).collect();
+        let help: Vec<String> = self.help.iter().map(printable).collect();
+        let excerpt = self.span.as_ref().map(|span| {
+            let related = self.related.iter().map(|(span, _)| span);
+            let excerpt = Excerpt::around(text, std::iter::once(span).chain(related));
+            (span, stand_ins(&text[excerpt.range.clone()]), excerpt)
+        });
         let mut group: Group<'_> =
-            Level::ERROR.primary_title(self.message.as_str()).elements(None::<Snippet<'_, Annotation<'_>>>);
-        if let Some(span) = &self.span {
-            let excerpt =
-                Excerpt::around(text, std::iter::once(span).chain(self.related.iter().map(|r| &r.0)));
-            let mut snippet = Snippet::source(&text[excerpt.range.clone()])
-                .path(file)
-                .line_start(excerpt.first_line)
-                .annotation(
-                    AnnotationKind::Primary.span(excerpt.local(text, span)).label(self.label.as_str()),
-                );
-            for (span, label) in &self.related {
-                snippet = snippet.annotation(
-                    AnnotationKind::Context.span(excerpt.local(text, span)).label(label.as_str()),
-                );
+            Level::ERROR.primary_title(message).elements(None::<Snippet<'_, Annotation<'_>>>);
+        if let Some((span, lines, excerpt)) = &excerpt {
+            let primary = AnnotationKind::Primary.span(excerpt.local(text, span)).label(label);
+            let mut snippet =
+                Snippet::source(lines.as_str()).path(file).line_start(excerpt.first_line).annotation(primary);
+            for ((span, _), label) in self.related.iter().zip(&labels) {
+                let context = AnnotationKind::Context.span(excerpt.local(text, span)).label(label.as_str());
+                snippet = snippet.annotation(context);
             }
             group = group.element(snippet);
         }
-        for help in &self.help {
+        for help in &help {
             group = group.element(Level::HELP.message(help.as_str()));
         }
         renderer.render(&[group])

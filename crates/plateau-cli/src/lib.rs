@@ -50,6 +50,7 @@ mod manifest;
 mod method;
 mod picture;
 mod plan;
+mod printable;
 mod progress;
 mod report;
 mod report_html;
@@ -89,6 +90,7 @@ pub use plan::{
     MIN_SIZE, Mask, Method, Output, Patch, PatchExperiment, Plan, Published, Quantity, Search, SearchMode,
     Shape, SolverChoice, TrapeziumHelicoid, Variant,
 };
+pub use printable::{Printable, width_of_names};
 pub use progress::Progress;
 pub use report::table;
 pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};

@@ -3,10 +3,10 @@
 use std::io::Write;
 use std::path::Path;
 
-use plateau::{Level, Verification, VerifyError, verify};
+use plateau::{Level, Printable, Verification, VerifyError, verify, width_of_names};
 
 use crate::bars::Bars;
-use crate::command::{Failure, VerifyArguments, say, start_threads};
+use crate::command::{Failure, VerifyArguments, line, say, start_threads, tell};
 use crate::interrupt::listen;
 use crate::outlet::Outlet;
 
@@ -43,6 +43,11 @@ fn verified(arguments: &VerifyArguments, stdout: &mut impl Write) -> Result<(), 
                 say(&format!("interrupted: {k} of {} results verified", arguments.results.len()));
                 return Err(Failure::Interrupted);
             }
+            Err(VerifyError::Refused(refusal)) => {
+                say(&format!("error: {}: the experiment in it is refused by this version:", path.display()));
+                tell(&refusal);
+                readable = false;
+            }
             Err(error) => {
                 say(&format!("error: {}: {error}", path.display()));
                 readable = false;
@@ -76,7 +81,7 @@ fn list(words: &[&str]) -> String {
 }
 
 fn report(path: &Path, verification: &Verification, stdout: &mut impl Write) -> Result<(), Failure> {
-    writeln!(stdout, "{}: {}", path.display(), verification.title)?;
+    line(stdout, &format!("{}: {}", path.display(), verification.title))?;
     match &verification.level {
         Level::Bits => {
             writeln!(stdout, "compared bit for bit: this program and this kind of processor wrote it")?
@@ -91,19 +96,22 @@ fn report(path: &Path, verification: &Verification, stdout: &mut impl Write) -> 
             )?
         }
     }
-    let width = verification.entries.iter().map(|entry| entry.name.chars().count()).max().unwrap_or(0);
+    let width = width_of_names(verification.entries.iter().map(|entry| entry.name.as_str()));
     let word = if verification.level == Level::Bits { "equal" } else { "agrees" };
     for entry in &verification.entries {
-        let (name, all) = (&entry.name, entry.compared);
+        let (name, all) = (Printable(&entry.name).fitted(width), entry.compared);
         let values = if all == 1 { "1 value".into() } else { format!("{all} values") };
         match entry.differences.len() {
-            0 => writeln!(stdout, "  {name:width$}  {word}, {values}")?,
-            differing => writeln!(stdout, "  {name:width$}  DIFFERS in {differing} of {values}")?,
+            0 => writeln!(stdout, "  {name}  {word}, {values}")?,
+            differing => writeln!(stdout, "  {name}  DIFFERS in {differing} of {values}")?,
         }
         for difference in entry.differences.iter().take(SHOWN) {
             let said = |value: &Option<String>| value.clone().unwrap_or_else(|| "nothing".into());
             let (stored, computed) = (said(&difference.stored), said(&difference.computed));
-            writeln!(stdout, "      {}: the file has {stored}, computed is {computed}", difference.key)?;
+            line(
+                stdout,
+                &format!("      {}: the file has {stored}, computed is {computed}", difference.key),
+            )?;
         }
         if entry.differs_in_bits_only {
             let (tolerance, searched) = (Level::TOLERANCE, Level::SEARCHED);

@@ -1,5 +1,7 @@
 use std::fmt::{self, Display, Write};
 
+use crate::printable::write_char;
+
 /// Text colour.
 pub(super) const INK: &str = "#1c2733";
 /// Colour of what explains: ticks, captions.
@@ -139,7 +141,8 @@ impl Display for Length {
     }
 }
 
-/// Text as character data of XML and HTML, safe in attributes too. Characters XML does not admit become U+FFFD.
+/// Text as character data of XML and HTML, safe in attributes too. Controls, which XML does not admit, and the marks of bidirectional text, which
+/// would turn what stands beside them, are shown as [`crate::Printable`] shows them.
 pub(crate) struct Escaped<'a>(pub(crate) &'a str);
 
 impl Display for Escaped<'_> {
@@ -152,8 +155,8 @@ impl Display for Escaped<'_> {
                 '"' => f.write_str("&quot;")?,
                 '\'' => f.write_str("&#39;")?,
                 '\t' | '\n' | '\r' => f.write_char(c)?,
-                '\0'..'\u{20}' | '\u{7f}'..'\u{a0}' | '\u{fffe}' | '\u{ffff}' => f.write_char('\u{fffd}')?,
-                _ => f.write_char(c)?,
+                '\u{fffe}' | '\u{ffff}' => f.write_char('\u{fffd}')?,
+                _ => write_char(f, c)?,
             }
         }
         Ok(())
@@ -226,6 +229,6 @@ mod tests {
 
     #[test]
     fn no_markup_and_no_control_characters_survive() {
-        assert_eq!(Escaped("</a> & \"'\u{1}").to_string(), "&lt;/a&gt; &amp; &quot;&#39;\u{fffd}");
+        assert_eq!(Escaped("</a> & \"'\u{1}").to_string(), "&lt;/a&gt; &amp; &quot;&#39;\\u0001");
     }
 }

@@ -1,3 +1,6 @@
+use crate::Printable;
+use crate::printable::columns as columns_of;
+
 /// A column of a table on the terminal.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Column {
@@ -7,18 +10,25 @@ pub(crate) struct Column {
     pub(crate) is_words: bool,
 }
 
-/// Headings, units, a rule and the rows, aligned; every row has one cell per column.
+/// Headings, units, a rule and the rows, aligned; every row has one cell per column. Words are made printable and cut to
+/// [`Printable::NAME`].
 pub(crate) fn grid(columns: &[Column], rows: &[Vec<String>]) -> String {
+    let shown = |(cell, column): (&String, &Column)| match column.is_words {
+        true => Printable(cell).cut(Printable::NAME),
+        false => cell.clone(),
+    };
+    let rows: Vec<Vec<String>> =
+        rows.iter().map(|row| row.iter().zip(columns).map(shown).collect()).collect();
     let has_units = columns.iter().any(|column| !column.unit.is_empty());
     let width = |k: usize| {
         let cells = rows.iter().map(|row| row[k].as_str());
-        cells.chain([columns[k].heading, columns[k].unit]).map(|cell| cell.chars().count()).max().unwrap_or(0)
+        cells.chain([columns[k].heading, columns[k].unit]).map(columns_of).max().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..columns.len()).map(width).collect();
     let line = |cells: &mut dyn Iterator<Item = &str>| {
         let mut text = String::new();
         for ((cell, column), width) in cells.zip(columns).zip(&widths) {
-            let pad = " ".repeat(width - cell.chars().count());
+            let pad = " ".repeat(width - columns_of(cell));
             let [left, right] = if column.is_words { [cell, pad.as_str()] } else { [pad.as_str(), cell] };
             text.extend([left, right, "   "]);
         }
@@ -31,7 +41,7 @@ pub(crate) fn grid(columns: &[Column], rows: &[Vec<String>]) -> String {
     }
     let rules: Vec<String> = widths.iter().map(|width| "─".repeat(*width)).collect();
     text += &line(&mut rules.iter().map(String::as_str));
-    for row in rows {
+    for row in &rows {
         text += &line(&mut row.iter().map(String::as_str));
     }
     text
@@ -48,13 +58,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn columns_are_aligned_by_characters_not_bytes() {
+    fn columns_are_aligned_as_a_terminal_shows_them() {
         let columns = [
             Column { heading: "name", unit: "", is_words: true },
             Column { heading: "κ", unit: "1/length", is_words: false },
         ];
-        let rows = [vec!["θ".to_owned(), "1.5".to_owned()], vec!["longer".to_owned(), String::new()]];
-        let expected = "name            κ\n         1/length\n──────   ────────\nθ             1.5\nlonger\n";
+        let rows = [vec!["最小\u{7}".to_owned(), "1.5".to_owned()], vec!["long".to_owned(), String::new()]];
+        let expected = "name                κ\n             1/length\n──────────   ────────\n最小\\u0007        1.5\nlong\n";
         assert_eq!(grid(&columns, &rows), expected);
     }
 

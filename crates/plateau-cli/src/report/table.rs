@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::curve_table::curve_table;
 use super::grid::{Column, figure, grid};
 use super::helicoid_table::helicoid_table;
+use crate::Printable;
 use crate::run::{Done, Finished, MethodResult};
 
 const COLUMNS: [Column; 9] = [
@@ -34,7 +35,7 @@ const fn number(heading: &'static str, unit: &'static str) -> Column {
 /// conformality gap, and how far the boundary curves lie from the Bernstein curves of the net. Columns that no method
 /// fills are left out.
 pub fn table(finished: &Finished) -> String {
-    let mut text = format!("{}\n\n", finished.title);
+    let mut text = format!("{}\n\n", Printable(&finished.title));
     text += &match &finished.curve {
         Some(curve) => curve_table(curve),
         None if finished.methods.iter().any(has_closed_form) => helicoid_table(finished),
@@ -44,7 +45,7 @@ pub fn table(finished: &Finished) -> String {
         notes(&mut text, method);
     }
     for warning in &finished.warnings {
-        let _ = writeln!(text, "note: {warning}");
+        let _ = writeln!(text, "note: {}", Printable(warning));
     }
     text
 }
@@ -64,14 +65,15 @@ fn patch_table(finished: &Finished) -> String {
 }
 
 fn notes(text: &mut String, method: &MethodResult) {
+    let name = Printable(&method.name).cut(Printable::NAME);
     match &method.outcome {
         Ok(done) => {
             for warning in &done.warnings {
-                let _ = writeln!(text, "note: {}: {warning}", method.name);
+                let _ = writeln!(text, "note: {name}: {}", Printable(warning));
             }
         }
         Err(error) => {
-            let _ = writeln!(text, "failed: {}: {error}", method.name);
+            let _ = writeln!(text, "failed: {name}: {}", Printable(&error.to_string()));
         }
     }
 }
