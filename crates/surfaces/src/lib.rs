@@ -25,6 +25,7 @@
 //! ```
 
 mod complex;
+mod conjugate_gradients;
 mod curve;
 mod curves;
 mod deformation;
@@ -49,7 +50,9 @@ mod triangle_net;
 
 pub use complex::{Complex, ComplexError, Edge, EdgeUse, Face, FixedEdge, Side, Vertex};
 pub use curve::{Curve, CurveJet};
-pub use curves::{Bezier, BoundaryCurve, CurveError, EllipseArc, Polyline, Samples, SplineCurve};
+pub use curves::{
+    Bezier, BoundaryCurve, CurveError, CurveFit, Deviation, EllipseArc, Polyline, Samples, SplineCurve,
+};
 pub use deformation::{Deformation, DeformationPath};
 pub use discrete_coons::{discrete_coons, discrete_coons_triangle};
 pub use error::SurfaceError;

@@ -1,7 +1,10 @@
 //! The start: harmonic vertices, straight edges, Coons patches.
 
+use std::collections::HashMap;
+
 use super::{Complex, ComplexError, Side, Vertex};
 use crate::Point;
+use crate::conjugate_gradients::conjugate_gradients;
 
 impl Complex {
     /// Places all free points, see [`Complex::new`].
@@ -56,46 +59,27 @@ impl Complex {
     }
 
     /// The vertices that have no place yet, each at the mean of its neighbours: the graph Laplacian over them, symmetric
-    /// and positive definite because every part is held, by conjugate gradients, which end after as many steps as there
-    /// are unknowns.
+    /// and positive definite because every part is held.
     fn place_vertices(&mut self, neighbours: &[Vec<usize>], placed: &[bool]) {
         let open: Vec<usize> = (0..placed.len()).filter(|&v| !placed[v]).collect();
-        // L x at the open vertices for x that vanishes at the others.
+        let unknown: HashMap<usize, usize> = open.iter().enumerate().map(|(k, &v)| (v, k)).collect();
         let laplacian = |x: &[Point]| -> Vec<Point> {
-            let at = |v: usize| {
-                let around = neighbours[v].iter().fold(Point::ZERO, |sum, &w| sum + x[w]);
-                x[v] * neighbours[v].len() as f64 - around
+            let at = |(k, &v): (usize, &usize)| {
+                let around = neighbours[v].iter().filter_map(|w| unknown.get(w));
+                around.fold(x[k] * neighbours[v].len() as f64, |sum, &w| sum - x[w])
             };
-            open.iter().map(|&v| at(v)).collect()
+            open.iter().enumerate().map(at).collect()
         };
-        let mut residual: Vec<Point> =
-            laplacian(&self.points[..placed.len()]).into_iter().map(|r| -r).collect();
-        let mut direction = vec![Point::ZERO; placed.len()];
-        let (mut size, mut step) = (square(&residual), 0.0);
-        let end = f64::EPSILON.powi(2) * self.size_of_placed(placed).powi(2);
-        for _ in 0..2 * open.len() {
-            if size <= end {
-                break;
-            }
-            for (k, &v) in open.iter().enumerate() {
-                direction[v] = residual[k] + direction[v] * step;
-            }
-            let image = laplacian(&direction);
-            let curvature: f64 = open.iter().zip(&image).map(|(&v, i)| direction[v].dot(*i)).sum();
-            let length = size / curvature;
-            for (k, &v) in open.iter().enumerate() {
-                self.points[v] += direction[v] * length;
-                residual[k] += image[k] * -length;
-            }
-            let next = square(&residual);
-            step = next / size;
-            size = next;
+        // From a placed vertex as the origin: a frame far away costs no digits.
+        let Some(origin) = (0..placed.len()).find(|&v| placed[v]).map(|v| self.points[v]) else { return };
+        let pull = |&v: &usize| {
+            let around = neighbours[v].iter().filter(|&&w| placed[w]);
+            around.fold(Point::ZERO, |sum, &w| sum + (self.points[w] - origin))
+        };
+        let rhs: Vec<Point> = open.iter().map(pull).collect();
+        for (&v, x) in open.iter().zip(conjugate_gradients(laplacian, &rhs)) {
+            self.points[v] = origin + x;
         }
-    }
-
-    fn size_of_placed(&self, placed: &[bool]) -> f64 {
-        let points: Vec<Point> = (0..placed.len()).filter(|&v| placed[v]).map(|v| self.points[v]).collect();
-        crate::net::extent(&points)
     }
 
     /// The free points of an edge, evenly on the segment between its ends.
@@ -132,8 +116,4 @@ impl Complex {
             self.points[node] = point;
         }
     }
-}
-
-fn square(v: &[Point]) -> f64 {
-    v.iter().map(|r| r.dot(*r)).sum()
 }

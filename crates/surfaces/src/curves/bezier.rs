@@ -15,7 +15,7 @@ use crate::{Point, SurfaceError};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bezier {
-    points: Vec<Point>,
+    pub(super) points: Vec<Point>,
 }
 
 impl Bezier {
@@ -72,6 +72,16 @@ impl Bezier {
     pub fn derivative(&self, t: f64) -> Point {
         let n = self.degree() as f64;
         de_casteljau(self.points.windows(2).map(|ends| (ends[1] - ends[0]) * n).collect(), t)
+    }
+
+    /// c''(t).
+    pub fn second_derivative(&self, t: f64) -> Point {
+        let n = self.degree() as f64;
+        let second = |p: &[Point]| (p[2] - p[1] * 2.0 + p[0]) * (n * (n - 1.0));
+        match self.points.len() {
+            0..=2 => Point::ZERO,
+            _ => de_casteljau(self.points.windows(3).map(second).collect(), t),
+        }
     }
 
     /// The curve run the other way.

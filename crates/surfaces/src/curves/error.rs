@@ -107,4 +107,17 @@ pub enum CurveError {
         /// Angle of the end.
         to: f64,
     },
+    /// Pieces of the degree stay farther from the curve than the tolerance.
+    #[error(
+        "pieces of degree {degree} stay {deviation:.1e} away from the curve, the tolerance is {tolerance:.1e}; raise the \
+         degree or the tolerance"
+    )]
+    NotMet {
+        /// Degree of the pieces.
+        degree: usize,
+        /// The tolerance given.
+        tolerance: f64,
+        /// How near they came.
+        deviation: f64,
+    },
 }

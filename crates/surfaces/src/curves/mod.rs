@@ -1,10 +1,15 @@
 //! Curves a boundary is made of.
 
+mod analytic_fit;
 mod bezier;
 mod boundary;
 mod ellipse_arc;
 mod error;
+mod fit;
+mod interpolation;
 mod polyline;
+mod refinement;
+mod sample_fit;
 mod samples;
 mod spline;
 
@@ -13,6 +18,7 @@ pub(crate) use bezier::raised_once;
 pub use boundary::BoundaryCurve;
 pub use ellipse_arc::EllipseArc;
 pub use error::CurveError;
+pub use fit::{CurveFit, Deviation};
 pub use polyline::Polyline;
 pub use samples::Samples;
 pub use spline::SplineCurve;
