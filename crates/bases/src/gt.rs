@@ -128,7 +128,7 @@ impl Basis for GtParts {
     }
 }
 
-fn check_degree(degree: usize) -> Result<(), BasisError> {
+pub(crate) fn check_degree(degree: usize) -> Result<(), BasisError> {
     if (2..=MAX_DEGREE).contains(&degree) {
         Ok(())
     } else {
@@ -141,7 +141,7 @@ fn check_degree(degree: usize) -> Result<(), BasisError> {
 /// With s = sin(πt/2), c = cos(πt/2) and `1 − s = c²/(1 + s)`, `1 − c = s²/(1 + c)` no digit cancels; c is the
 /// sine of the reversed parameter, so both halves of the interval share their bits. The derivatives come from
 /// `G₀ = c² + θ1 (s² − s)/2`, where s² and c² are `(1 ∓ cos πt)/2`.
-fn quadratic(t: f64, [t1, t2]: [f64; 2], order: usize) -> Matrix {
+pub(crate) fn quadratic(t: f64, [t1, t2]: [f64; 2], order: usize) -> Matrix {
     let s = libm::sin(FRAC_PI_2 * t);
     let c = libm::sin(FRAC_PI_2 * (1.0 - t));
     let (not_s, not_c) = (c * c / (1.0 + s), s * s / (1.0 + c));

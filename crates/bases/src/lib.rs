@@ -2,7 +2,8 @@
 //!
 //! A [`Basis`] is a finite family of functions on an interval that answers three questions: how many, where, and the
 //! values with derivatives at a point. The families: [`Bernstein`] polynomials, the generalized
-//! trigonometric [`Gt`] functions with two shape parameters (and [`GtParts`], their parts affine in the shape),
+//! trigonometric [`Gt`] functions with two shape parameters (and [`GtParts`], their parts affine in the shape), the functions of either
+//! that vanish at both ends in a well-conditioned form ([`Lobatto`], [`GtBubbles`]),
 //! the six [`Aht`] and [`At`] functions that hold catenoids and helicoids exactly, and
 //! linear combinations of families ([`Stacked`]). All are partitions of unity that interpolate at
 //! the ends, with errors bounded in units of u = 2⁻⁵³ in their own documentation.
@@ -33,6 +34,7 @@ mod double_double;
 mod error;
 mod gram;
 mod gt;
+mod gt_bubbles;
 mod lobatto;
 mod matrix;
 mod nodal;
@@ -48,6 +50,7 @@ pub use bernstein::Bernstein;
 pub use error::BasisError;
 pub use gram::{Samples, gram};
 pub use gt::{Gt, GtParts};
+pub use gt_bubbles::{GtBubbleParts, GtBubbles};
 pub use lobatto::Lobatto;
 pub use matrix::Matrix;
 pub use nodal::Nodal;

@@ -1,6 +1,6 @@
 //! Integrated Legendre polynomials.
 
-use crate::{Basis, BasisError};
+use crate::{Basis, BasisError, Matrix};
 
 /// The polynomials `φ_k(t) = ∫ P_k` from the start of an interval, k = 1 … n: degree k + 1, zero at both ends.
 ///
@@ -38,6 +38,53 @@ impl Lobatto {
         }
         Ok(Self { count, domain: (start, end) })
     }
+
+    /// Largest degree of [`Self::bernstein_coefficients`]: beyond it their numerators leave 128 bits.
+    pub const MAX_BERNSTEIN_DEGREE: usize = 64;
+
+    /// The Bernstein coefficients of degree n of the n − 1 functions of degree at most n on [0, 1]: (n+1) × (n−1), column
+    /// k − 1 holds those of φ_k, the first and the last row are zero.
+    ///
+    /// They are quotients of integers, formed exactly and rounded once. The largest grows like 2ⁿ: a polynomial with
+    /// well-determined coefficients here may need control points that doubles cannot hold.
+    ///
+    /// # Errors
+    /// [`BasisError::Degree`] below 2 or above [`Self::MAX_BERNSTEIN_DEGREE`].
+    pub fn bernstein_coefficients(degree: usize) -> Result<Matrix, BasisError> {
+        let (min, max) = (2, Self::MAX_BERNSTEIN_DEGREE);
+        if !(min..=max).contains(&degree) {
+            return Err(BasisError::Degree { family: "Lobatto", degree, min, max });
+        }
+        let binomials = pascal(degree);
+        let legendre: Vec<Vec<i128>> =
+            (0..=degree).map(|k| legendre_numerators(&binomials, degree, k)).collect();
+        Ok(Matrix::from_fn(degree + 1, degree - 1, |i, column| {
+            let k = column + 1;
+            let numerator = legendre[k + 1][i] - legendre[k - 1][i];
+            numerator as f64 / (binomials[degree][i] as f64 * (4 * k + 2) as f64)
+        }))
+    }
+}
+
+/// The binomials C(r, i) for r = 0 … n.
+fn pascal(n: usize) -> Vec<Vec<i128>> {
+    let mut rows = vec![vec![1]];
+    for r in 1..=n {
+        let above = &rows[r - 1];
+        let row = (0..=r).map(|i| if i == 0 || i == r { 1 } else { above[i - 1] + above[i] }).collect();
+        rows.push(row);
+    }
+    rows
+}
+
+/// C(n, i) times the Bernstein coefficients of degree n of `P_k(2t − 1)`: `P_k = Σ_j (−1)^{k+j} C(k,j) B_{j,k}`, raised n − k times.
+fn legendre_numerators(binomials: &[Vec<i128>], n: usize, k: usize) -> Vec<i128> {
+    let raise = n - k;
+    let term = |i: usize, j: usize| {
+        let product = binomials[k][j] * binomials[k][j] * binomials[raise][i - j];
+        if (k + j).is_multiple_of(2) { product } else { -product }
+    };
+    (0..=n).map(|i| (i.saturating_sub(raise)..=k.min(i)).map(|j| term(i, j)).sum()).collect()
 }
 
 impl Basis for Lobatto {

@@ -12,6 +12,7 @@
 //! | any matrix, all entries | [`solve_spd`], [`solve_general`], [`solve_partitioned`]; [`Cholesky`], [`Lu`] keep the factor | O(n⁶) |
 //! | few entries a row (masks) | [`solve_sparse`], [`solve_sparse_spd`]; [`SparseLu`], [`SparseCholesky`] | milliseconds |
 //! | `½ (K⊗M + M⊗K)`, the Dirichlet energy of a tensor net | [`Separable`] | O(n³) |
+//! | a sum of Kronecker products: bending, TB–Coons patches, any energy of a large net | [`ProductSystem`] | O(n³), ten steps |
 //! | `Q` polynomial in shape parameters, at many of them | [`Parametric`] to about ten points a side, above it [`SeparableParametric`] | 40 ns (bicubic), 40 µs (degree 10), 0.15 ms (20) |
 //! | too few, too many or conflicting conditions | [`solve_rank`] | |
 //! | is a matrix positive definite beyond doubt? | [`proves_positive_definite`] | O(n³) |
@@ -68,6 +69,9 @@ pub use orthonormal::orthonormalise;
 pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};
 pub use partition::Partition;
 pub use rank::{RankSolution, solve_rank};
-pub use separable::{AffineSamples, Samples, Separable, SeparableParametric, SeparableSolution};
+pub use separable::{
+    AffineSamples, ProductSolution, ProductSystem, ProductTerm, SampledFunctions, Samples, Separable,
+    SeparableParametric, SeparableSolution,
+};
 pub use sparse::{SparseCholesky, SparseLu, Triplet, solve_sparse, solve_sparse_spd};
 pub use system::Solution;

@@ -1,8 +1,10 @@
 mod direction;
 mod net;
 mod parametric;
+mod products;
 
 pub use parametric::{AffineSamples, SeparableParametric};
+pub use products::{ProductSolution, ProductSystem, ProductTerm, SampledFunctions};
 
 use crate::{Place, SolveError, check, condition as accuracy};
 use direction::Direction;
