@@ -1,0 +1,70 @@
+//! Where sides end.
+
+use super::network::Network;
+use crate::{CurveFile, Kind};
+
+/// The nodes in which sides end: where other than two links meet, beside a curve that is no polyline, at corners, and where a
+/// file begins another side.
+pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut Vec<String>) -> Vec<bool> {
+    let incidence = network.incidence();
+    let mut is_vertex = vec![false; network.points.len()];
+    let mut turns: Vec<f64> = Vec::new();
+    let mut sharpest: f64 = 0.0;
+    for (node, links) in incidence.iter().enumerate() {
+        let [a, b] = links[..] else {
+            is_vertex[node] = !links.is_empty();
+            continue;
+        };
+        // A closed curve by itself has no vertex.
+        if a == b {
+            continue;
+        }
+        let [first, second] = [a, b].map(|k| &network.links[k]);
+        if !(first.is_segment && second.is_segment) {
+            is_vertex[node] = true;
+            continue;
+        }
+        let [from, to] = [first, second]
+            .map(|link| network.points[if link.nodes[0] == node { link.nodes[1] } else { link.nodes[0] }]);
+        let here = network.points[node];
+        let (before, after) = (here - from, to - here);
+        let turn = libm::atan2(before.cross(after).norm(), before.dot(after));
+        // Regular polygons with exactly this turn are smooth whatever rounding does.
+        if turn > angle * (1.0 + 1e-6) {
+            is_vertex[node] = true;
+            turns.push(turn);
+        } else {
+            sharpest = sharpest.max(turn);
+            is_vertex[node] = is_joint(file, first.curve, second.curve);
+        }
+    }
+    if !turns.is_empty() || sharpest > 0.5 * angle {
+        let degrees = |turn: f64| format!("{:.0}°", turn.to_degrees());
+        let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
+        let corners = match turns.len() {
+            0 => "no corners".into(),
+            1 => format!("1 corner, turning by {}", degrees(least)),
+            count => format!("{count} corners, turning by {} or more", degrees(least)),
+        };
+        notes.push(format!(
+            "polylines have {corners}; elsewhere they turn by {} at most (--corner-angle {:.0})",
+            degrees(sharpest),
+            angle.to_degrees()
+        ));
+    }
+    is_vertex
+}
+
+/// Whether the point between two curves of a file ends a side although it is smooth: sides of a table do, and curves of different
+/// names that are more than a segment.
+fn is_joint(file: &CurveFile, first: usize, second: usize) -> bool {
+    let [a, b] = [first, second].map(|k| &file.curves[k]);
+    if first == second || a.name == b.name {
+        return false;
+    }
+    let is_more = |k: usize| match &file.curves[k].shape {
+        crate::Shape::Polyline(points) => points.len() > 2,
+        crate::Shape::Spline(_) | crate::Shape::Arc(_) => true,
+    };
+    file.kind == Kind::Table || (is_more(first) && is_more(second))
+}

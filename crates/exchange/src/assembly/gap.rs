@@ -1,0 +1,85 @@
+//! Ends that meet nothing, in words.
+
+use surfaces::Point;
+
+use super::network::Network;
+use super::{AssemblyError, Weld};
+use crate::CurveFile;
+
+/// Most gaps that are named.
+const NAMED: usize = 4;
+
+/// Refuses curves of which an end meets nothing.
+pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(), AssemblyError> {
+    let incidence = network.incidence();
+    let free: Vec<usize> = (0..incidence.len()).filter(|node| incidence[*node].len() == 1).collect();
+    if free.is_empty() {
+        return if network.links.is_empty() { Err(AssemblyError::NoSize) } else { Ok(()) };
+    }
+    let whose = |node: usize| {
+        let curve = network.links[incidence[node][0]].curve;
+        let read = &file.curves[curve];
+        let name =
+            if read.name.is_empty() { format!("the curve of line {}", read.line) } else { read.name.clone() };
+        let verb = if network.ends[curve][0] == node { "begins" } else { "ends" };
+        format!("{name} {verb} at {}", shown(network.points[node]))
+    };
+    // Each free end with the nearest other one; the smallest gaps first, each named once.
+    let limited = &free[..free.len().min(2000)];
+    let mut pairs: Vec<(f64, usize, usize)> = limited
+        .iter()
+        .filter_map(|&a| {
+            let others = limited.iter().filter(|b| **b != a);
+            let distance = |b: usize| network.points[a].distance(network.points[b]);
+            others.map(|&b| (distance(b), a.min(b), a.max(b))).min_by(|p, q| p.0.total_cmp(&q.0))
+        })
+        .collect();
+    pairs.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)).then(p.2.cmp(&q.2)));
+    pairs.dedup();
+    let mut text = String::from("the curves do not close: ");
+    if pairs.is_empty() {
+        text += &format!("{}, where nothing meets it", whose(free[0]));
+        return Err(AssemblyError::Gap(text));
+    }
+    let named: Vec<String> = pairs
+        .iter()
+        .take(NAMED)
+        .map(|&(gap, a, b)| format!("{}, {}, a gap of {gap:.4}", whose(a), whose(b)))
+        .collect();
+    text += &named.join("; ");
+    if pairs.len() > NAMED {
+        text += &format!("; and {} more", pairs.len() - NAMED);
+    }
+    let widest = pairs.iter().fold(0.0, |widest, pair| f64::max(widest, pair.0));
+    text += &format!(
+        ". Ends within {:.2e} are welded: a side may be missing there, or `--weld {}` joins {}",
+        weld.tolerance,
+        rounded_up(widest),
+        if pairs.len() == 1 { "them" } else { "them all" },
+    );
+    Err(AssemblyError::Gap(text))
+}
+
+/// A point in few digits.
+fn shown(p: Point) -> String {
+    let [x, y, z] = [p.x, p.y, p.z].map(|x| {
+        let text = format!("{x:.6}");
+        if x != 0.0 && (x.abs() < 1e-3 || x.abs() >= 1e9) {
+            format!("{x:.4e}")
+        } else {
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        }
+    });
+    format!("({x}, {y}, {z})")
+}
+
+/// Two digits, not below x.
+fn rounded_up(x: f64) -> String {
+    let unit = libm::pow(10.0, libm::floor(libm::log10(x)) - 1.0);
+    let up = libm::ceil(x / unit * (1.0 + 1e-12)) * unit;
+    if (1e-3..1e6).contains(&up) {
+        format!("{up:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        format!("{up:.1e}")
+    }
+}

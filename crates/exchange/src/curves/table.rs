@@ -1,0 +1,158 @@
+//! Tables of points: CSV and its relatives.
+
+use std::collections::HashMap;
+
+use surfaces::Point;
+
+use super::limits::{self, LARGEST_COORDINATE, MOST_CURVES, MOST_POINTS};
+use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape};
+
+mod columns;
+mod row;
+
+use columns::Columns;
+use row::{Row, Separator};
+
+/// The sides of a table, in the order of their first rows, points in the order of theirs. One separator (tab, semicolon, comma
+/// or blanks) divides the whole file; where it is no comma, decimals may have one. Columns are found by the heading, or stand as
+/// side, x, y, z. Lines that begin with # are passed over. A table without a column of sides is one loop, or one for each block
+/// between blank lines.
+pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
+    let separator = Separator::of(text);
+    let mut rows = row::rows(text, separator);
+    let mut notes = Vec::new();
+    let Some(first) = rows.next() else {
+        return Err(CurveFileError::File(
+            "holds no rows: a row is a side and three coordinates, as in u0,1.5,0,2".into(),
+        ));
+    };
+    let (columns, rest) = if first.is_heading() {
+        let second = rows.next();
+        (Columns::named(&first, second.as_ref(), &mut notes)?, second)
+    } else {
+        (Columns::by_position(&first, &mut notes)?, Some(first))
+    };
+    let mut sides = Sides::default();
+    for row in rest.into_iter().chain(rows) {
+        sides.add(&row, &columns, separator)?;
+    }
+    sides.finish(&columns, notes)
+}
+
+#[derive(Default)]
+struct Sides {
+    curves: Vec<FileCurve>,
+    places: HashMap<String, usize>,
+    points: usize,
+    /// The block of the last row.
+    block: Option<usize>,
+    /// The line of the first number with a decimal comma, and of the first with a point.
+    decimals: [Option<usize>; 2],
+}
+
+impl Sides {
+    fn add(&mut self, row: &Row<'_>, columns: &Columns, separator: Separator) -> Result<(), CurveFileError> {
+        let line = row.line;
+        if row.cells.len() != columns.count {
+            return Err(columns.short_row(row, separator));
+        }
+        let mut coordinates = [0.0; 3];
+        for (coordinate, place) in coordinates.iter_mut().zip(columns.coordinates) {
+            if let Some(place) = place {
+                *coordinate = self.coordinate(&row.cells[place], line, separator)?;
+            }
+        }
+        limits::count(&mut self.points, 1, MOST_POINTS, "points", line)?;
+        let point = Point::from(coordinates);
+        let place = match columns.side {
+            Some(column) => self.place_of(&row.cells[column], line)?,
+            None if self.block == Some(row.block) => self.curves.len() - 1,
+            None => self.begin(String::new(), line)?,
+        };
+        self.block = Some(row.block);
+        if let Shape::Polyline(points) = &mut self.curves[place].shape {
+            points.push(point);
+        }
+        Ok(())
+    }
+
+    fn place_of(&mut self, cell: &str, line: usize) -> Result<usize, CurveFileError> {
+        let name = limits::name(cell);
+        if let Some(place) = self.places.get(&name) {
+            return Ok(*place);
+        }
+        let place = self.begin(name.clone(), line)?;
+        self.places.insert(name, place);
+        Ok(place)
+    }
+
+    fn begin(&mut self, name: String, line: usize) -> Result<usize, CurveFileError> {
+        let mut counter = self.curves.len();
+        limits::count(&mut counter, 1, MOST_CURVES, "sides", line)?;
+        self.curves.push(FileCurve { name, line, shape: Shape::Polyline(Vec::new()), closes: false });
+        Ok(self.curves.len() - 1)
+    }
+
+    fn coordinate(&mut self, cell: &str, line: usize, separator: Separator) -> Result<f64, CurveFileError> {
+        let no_coordinate =
+            |why: &str| CurveFileError::at(line, format!("{:?} is no coordinate{why}", limits::name(cell)));
+        let has_comma = cell.contains(',');
+        if has_comma && (separator == Separator::Comma || cell.contains('.') || cell.matches(',').count() > 1)
+        {
+            return Err(no_coordinate(": write numbers without separators of thousands"));
+        }
+        if has_comma || cell.contains('.') {
+            self.decimals[usize::from(!has_comma)].get_or_insert(line);
+            if let [Some(comma), Some(point)] = self.decimals {
+                return Err(CurveFileError::at(
+                    comma.max(point),
+                    format!(
+                        "decimals have a comma in line {comma} and a point in line {point}: write all of them one way"
+                    ),
+                ));
+            }
+        }
+        let number = if has_comma { cell.replace(',', ".").parse::<f64>() } else { cell.parse() };
+        let number = number.map_err(|_| no_coordinate(""))?;
+        if number.is_finite() && number.abs() <= LARGEST_COORDINATE {
+            Ok(number)
+        } else if number.is_finite() {
+            Err(no_coordinate(&format!(": the largest is {LARGEST_COORDINATE:e}")))
+        } else {
+            Err(no_coordinate(
+                ": a point needs three finite numbers; leave the row out, or measure the point again",
+            ))
+        }
+    }
+
+    fn finish(mut self, columns: &Columns, mut notes: Vec<String>) -> Result<CurveFile, CurveFileError> {
+        if self.curves.is_empty() {
+            return Err(CurveFileError::File("holds a heading and no points below it".into()));
+        }
+        let is_nameless = columns.side.is_none();
+        for curve in &mut self.curves {
+            let Shape::Polyline(points) = &curve.shape else { continue };
+            if points.len() < 2 {
+                let side = if curve.name.is_empty() {
+                    "a curve".to_owned()
+                } else {
+                    format!("side {:?}", curve.name)
+                };
+                return Err(CurveFileError::at(
+                    curve.line,
+                    format!("{side} has a single point; two are the least"),
+                ));
+            }
+            curve.closes = is_nameless;
+        }
+        if is_nameless {
+            let count = self.curves.len();
+            notes.push(if count == 1 {
+                "the table has no column of sides: its points are one loop, closed from the last to the first".into()
+            } else {
+                format!("the table has no column of sides: its {count} blocks between blank lines are a curve each")
+            });
+        }
+        Ok(CurveFile { kind: Kind::Table, curves: self.curves, notes })
+    }
+}

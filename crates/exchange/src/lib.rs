@@ -1,0 +1,22 @@
+//! Boundaries from the files of other programs.
+//!
+//! [`read_curves`] knows what a file is by its content: a table of points, the lines and free-form curves of an OBJ file, the
+//! edges of a STEP file, the entities of a DXF file; what it does not read it names. [`Assembly::new`] makes one boundary of
+//! the curves, whatever their order and direction: ends that should meet are welded, closed polygons are cut at their corners,
+//! and a graph of curves gets its faces.
+//!
+//! ```
+//! use exchange::{Assembly, AssemblyOptions, Form, read_curves};
+//!
+//! let file = read_curves(b"v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nl 3 4\nl 1 2\nl 1 4\nl 2 3\n", "skew.obj")?;
+//! let assembly = Assembly::new(&file, &AssemblyOptions::default())?;
+//! let Form::Loops(loops) = &assembly.form else { panic!("a loop") };
+//! assert_eq!((loops.len(), loops[0].len()), (1, 4));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod assembly;
+mod curves;
+
+pub use assembly::{Assembly, AssemblyError, AssemblyOptions, Form, Side, Walk, Weld};
+pub use curves::{CurveFile, CurveFileError, FileCurve, Kind, Shape, read_curves};
