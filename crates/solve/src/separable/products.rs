@@ -16,6 +16,9 @@ pub struct SampledFunctions {
     pub orders: Vec<Vec<f64>>,
 }
 
+/// Orders of derivatives in u and v.
+type Orders = (usize, usize);
+
 /// One term `coefficient · ∫ ∂_u^{u.0} ∂_v^{v.0} S · ∂_u^{u.1} ∂_v^{v.1} S` of an energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProductTerm {
@@ -181,7 +184,7 @@ impl ProductSystem {
     ) -> Result<[Mat<f64>; 3], SolveError> {
         let (rows, cols) = (self.diagonal.nrows(), self.diagonal.ncols());
         let mut rhs: [Mat<f64>; 3] = std::array::from_fn(|_| Mat::zeros(rows, cols));
-        let mut asked: Vec<((usize, usize), [Mat<f64>; 3])> = Vec::new();
+        let mut asked: Vec<(Orders, [Mat<f64>; 3])> = Vec::new();
         for term in &self.terms {
             let orders = (term.u.1, term.v.1);
             let at = match asked.iter().position(|(known, _)| *known == orders) {
