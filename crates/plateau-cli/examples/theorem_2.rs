@@ -6,7 +6,8 @@
 use std::error::Error;
 use std::fmt::Write;
 
-use plateau::{Options, Plan, Quantity, run};
+use plateau::Quantity;
+use plateau_cli::{Options, Plan, run};
 
 /// ∫∫ (1 + u² + v²)² over the unit square.
 const MINIMAL_AREA: f64 = 133.0 / 45.0;
@@ -27,7 +28,7 @@ fn area(degree: usize, method: &str) -> Result<f64, Box<dyn Error>> {
         side(&|i| at(i, degree)),
     );
     let finished = run(&Plan::parse("enneper.toml", &text)?, Options::default(), &())?;
-    finished.methods[0].figure(Quantity::Area).ok_or_else(|| format!("degree {degree} failed").into())
+    finished.results.methods[0].figure(Quantity::Area).ok_or_else(|| format!("degree {degree} failed").into())
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

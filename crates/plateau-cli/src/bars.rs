@@ -6,7 +6,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use plateau::{Printable, Progress};
+use plateau::Progress;
+use plateau_cli::Printable;
 
 use crate::interrupt::interrupted;
 

@@ -3,9 +3,9 @@
 use std::io::Write;
 use std::time::Duration;
 
-use plateau::{
-    Checkpoint, Finished, Manifest, Options, Plan, Progress, deliver_watched, earlier, folder, prepare,
-    run_kept, table,
+use plateau::Progress;
+use plateau_cli::{
+    Checkpoint, Finished, Manifest, Options, Plan, deliver_watched, earlier, folder, prepare, run_kept, table,
 };
 
 use crate::bars::Bars;
@@ -98,7 +98,7 @@ fn experiment(
         }
         take(plan, &checkpoint);
     }
-    let finished = match run_kept(plan, options, bars, Some(&checkpoint)) {
+    let finished = match run_kept(plan, options, bars, &checkpoint) {
         Ok(finished) => finished,
         Err(error) => {
             say(&format!("error: {}: {error}", plan.file));
@@ -108,7 +108,7 @@ fn experiment(
         }
     };
     // A folder is only replaced by a whole experiment.
-    if finished.was_interrupted() {
+    if finished.results.was_interrupted() {
         let kept = kept(plan, &checkpoint);
         let _ = std::fs::remove_dir(&folder);
         return Ok(Outcome::Interrupted(kept));
@@ -120,7 +120,7 @@ fn experiment(
     let mut sound = if json {
         expectations(plan, &finished, &mut std::io::sink())?
     } else {
-        write!(stdout, "{}", table(&finished))?;
+        write!(stdout, "{}", table(&finished.results))?;
         expectations(plan, &finished, stdout)?
     };
     bars.begin(&format!("files of {}", plan.stem), None);
@@ -157,13 +157,13 @@ fn experiment(
         }
     }
     stdout.flush()?;
-    Ok(Outcome::of(sound && finished.failures().next().is_none()))
+    Ok(Outcome::of(sound && finished.results.failures().next().is_none()))
 }
 
 /// An experiment whose result is there already.
 fn repeat(
     plan: &Plan,
-    earlier: &plateau::Earlier,
+    earlier: &plateau_cli::Earlier,
     arguments: &RunArguments,
     stdout: &mut impl Write,
 ) -> Result<Outcome, Failure> {
@@ -217,7 +217,7 @@ fn forget(checkpoint: &Checkpoint) {
 /// `reproduce`: the published tables; nothing is written to disk.
 pub(crate) fn reproduce(json: bool, quiet: bool, stdout: &mut impl Write) -> Result<(), Failure> {
     listen();
-    let reproduction = plateau::reproduce(Options::default(), &Bars::new(quiet));
+    let reproduction = plateau_cli::reproduce(Options::default(), &Bars::new(quiet));
     if interrupted() {
         return Err(Failure::Interrupted);
     }

@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::manifest::sha256;
-use crate::{Manifest, SearchRun, atomic};
+use crate::{Manifest, atomic};
+use plateau::{Keeper, SearchRun};
 
 mod record;
 
@@ -153,38 +154,6 @@ impl Checkpoint {
         }
     }
 
-    pub(crate) fn run(&self, method: usize, run: usize) -> Option<SearchRun> {
-        self.lock().runs.get(&(method, run)).cloned()
-    }
-
-    pub(crate) fn keep(&self, method: usize, run: &SearchRun) {
-        let mut state = self.lock();
-        state.runs.insert((method, run.index), run.clone());
-        self.unwritten.store(true, Ordering::Relaxed);
-        self.write_if_due(&mut state);
-    }
-
-    /// Writes the file if that is due. Cheap: to be called in every iteration.
-    pub(crate) fn tick(&self) {
-        if !self.unwritten.load(Ordering::Relaxed) {
-            return;
-        }
-        // Whoever holds the lock writes if that is due.
-        if let Ok(mut state) = self.state.try_lock() {
-            self.write_if_due(&mut state);
-        }
-    }
-
-    /// A search is over, and it may be long until the next iteration of another: where there is a file already, it is
-    /// completed at once.
-    pub(crate) fn search_ended(&self) {
-        let mut state = self.lock();
-        if self.unwritten.load(Ordering::Relaxed) && state.written {
-            state.due = Instant::now();
-        }
-        self.write_if_due(&mut state);
-    }
-
     fn write_if_due(&self, state: &mut State) {
         if self.unwritten.load(Ordering::Relaxed) && Instant::now() >= state.due {
             state.problem = self.write(state).err();
@@ -211,6 +180,39 @@ impl Checkpoint {
     fn lock(&self) -> MutexGuard<'_, State> {
         // A panic elsewhere leaves whole runs behind.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Keeper for Checkpoint {
+    fn run(&self, method: usize, run: usize) -> Option<SearchRun> {
+        self.lock().runs.get(&(method, run)).cloned()
+    }
+
+    fn keep(&self, method: usize, run: &SearchRun) {
+        let mut state = self.lock();
+        state.runs.insert((method, run.index), run.clone());
+        self.unwritten.store(true, Ordering::Relaxed);
+        self.write_if_due(&mut state);
+    }
+
+    /// Writes the file if that is due.
+    fn tick(&self) {
+        if !self.unwritten.load(Ordering::Relaxed) {
+            return;
+        }
+        // Whoever holds the lock writes if that is due.
+        if let Ok(mut state) = self.state.try_lock() {
+            self.write_if_due(&mut state);
+        }
+    }
+
+    /// It may be long until the next iteration of another search: where there is a file already, it is completed at once.
+    fn search_ended(&self) {
+        let mut state = self.lock();
+        if self.unwritten.load(Ordering::Relaxed) && state.written {
+            state.due = Instant::now();
+        }
+        self.write_if_due(&mut state);
     }
 }
 

@@ -8,7 +8,7 @@ use clap::builder::PossibleValue;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use plateau::{Experiment, Plan, Printable, Refusal, Template, folder, folder_key};
+use plateau_cli::{Experiment, Plan, Printable, Refusal, Template, folder, folder_key};
 
 /// Patches of least energy and least area over a given boundary.
 ///
@@ -139,7 +139,7 @@ pub(crate) struct ExportArguments {
     #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u16).range(2..=2000))]
     pub(crate) mesh: u16,
     /// STEP: largest distance between a fitted surface and the patch, as a share of the size
-    #[arg(long, value_name = "T", default_value_t = plateau::DEFAULT_TOLERANCE, value_parser = share)]
+    #[arg(long, value_name = "T", default_value_t = plateau_cli::DEFAULT_TOLERANCE, value_parser = share)]
     pub(crate) tolerance: f64,
     /// The file to write, for a single method; by default files beside the result, named after their methods
     #[arg(long, value_name = "FILE")]
@@ -165,11 +165,11 @@ fn share(text: &str) -> Result<f64, String> {
 
 /// A file format by its name.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FileFormat(pub(crate) plateau::Format);
+pub(crate) struct FileFormat(pub(crate) plateau_cli::Format);
 
 impl ValueEnum for FileFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        use plateau::Format::{Glb, Obj, Ply, Step, Stl, Vtu};
+        use plateau_cli::Format::{Glb, Obj, Ply, Step, Stl, Vtu};
         static FORMATS: [FileFormat; 6] = [
             FileFormat(Obj),
             FileFormat(Ply),

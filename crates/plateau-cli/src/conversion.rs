@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use plateau::{Destination, ExportError, StoredMethod, StoredResult};
+use plateau_cli::{Destination, ExportError, StoredMethod, StoredResult};
 
 use crate::command::{ExportArguments, Failure, line, say};
 
@@ -63,7 +63,7 @@ fn named(path: &Path, result: &Path) -> Result<Destination, Failure> {
 
 /// Prints an experiment over the boundary in a file.
 pub(crate) fn import(file: &Path, degree: Option<u16>, stdout: &mut impl Write) -> Result<(), Failure> {
-    match plateau::import(file, degree.map(usize::from)) {
+    match plateau_cli::import(file, degree.map(usize::from)) {
         Ok(experiment) => Ok(stdout.write_all(experiment.as_bytes())?),
         Err(error) => {
             say(&format!("error: {}: {error}", file.display()));

@@ -16,11 +16,12 @@ use crate::folder::{
     CURVE_FILE, DEFORMATION_FILE, REPORT_FILE, RESULT_FILE, caseless, folder, picture_file, surface_file,
 };
 use crate::picture::pictures;
-use crate::report_html::page;
+use crate::report_html::{About, Comparison, Verdict, page};
 use crate::result::ResultFile;
-use crate::run::{Done, Finished};
+use crate::run::Finished;
 use crate::scene::Scene;
-use crate::{Destination, Format, Plan, Progress, atomic, export};
+use crate::{Destination, Format, Manifest, Plan, atomic, export};
+use plateau::{Done, Progress};
 
 /// A result that could not be kept.
 #[derive(Debug, Error)]
@@ -84,11 +85,12 @@ pub fn deliver_watched(
         let path = folder.join(name);
         atomic::write(&path, fill).map_err(|source| DeliverError { path, source })
     };
-    let names = file_names(finished.methods.iter().map(|method| method.name.as_str()));
-    let mut record = ResultFile::new(finished);
+    let names = file_names(finished.results.methods.iter().map(|method| method.name.as_str()));
+    let manifest = Manifest::of(plan, finished);
+    let mut record = ResultFile::new(plan, finished);
     // What was computed is kept even where another file cannot be written.
     let files = (|| {
-        for (k, (method, file)) in finished.methods.iter().zip(&names).enumerate() {
+        for (k, (method, file)) in finished.results.methods.iter().zip(&names).enumerate() {
             let Ok(done) = &method.outcome else { continue };
             for &format in &plan.output.formats {
                 let subject = Subject { name: &method.name, mesh: &done.mesh };
@@ -128,23 +130,24 @@ pub fn deliver_watched(
             }
             Ok(())
         };
-        if let Some(curve) = &finished.curve {
+        if let Some(curve) = &finished.results.curve {
             keep(CURVE_FILE, &|out| export::csv::write(curve, out))?;
         }
         if plan.output.formats.contains(&Format::Glb)
             && let Some((helicoid, catenoid, weights)) = deformation(finished)
         {
             keep(DEFORMATION_FILE, &|out| {
-                export::deformation::write(&finished.title, helicoid, catenoid, &weights, out)
+                export::deformation::write(&finished.results.title, helicoid, catenoid, &weights, out)
             })?;
         }
         if plan.output.pictures && !progress.cancelled() {
-            let scene = Scene::of(finished);
-            let pictures = pictures(plan, finished, scene.as_ref());
+            let scene = Scene::of(&finished.results);
+            let pictures = pictures(&finished.results, scene.as_ref());
             for picture in &pictures {
                 keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
             }
-            let report = page(plan, finished, scene.as_ref(), &pictures);
+            let about = about(plan, finished, &manifest);
+            let report = page(&finished.results, &about, scene.as_ref(), &pictures);
             keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))?;
         } else if plan.output.pictures {
             record.add_unwritten(REPORT_FILE);
@@ -168,10 +171,34 @@ pub fn deliver_watched(
     Ok(Delivered { folder, record, notes, refusals })
 }
 
+/// What the page says beside the results.
+fn about<'a>(plan: &'a Plan, finished: &'a Finished, manifest: &'a Manifest) -> About<'a> {
+    let expected = finished.comparisons().map(|(name, expected, ours)| {
+        let met = ours.is_some_and(|ours| expected.is_met_by(ours));
+        let verdict = if met { Verdict::Met } else { Verdict::Missed };
+        Comparison { name, quantity: expected.quantity, text: &expected.text, ours, verdict }
+    });
+    let printed = finished.results.methods.iter().zip(&finished.wanted).flat_map(|(method, wanted)| {
+        wanted.published.iter().map(|published| {
+            let reason = published.reason.as_ref().map_or(String::new(), |reason| format!(" ({reason})"));
+            let verdict = Verdict::Printed(format!("printed in {}{reason}", published.source));
+            let (quantity, ours) = (published.quantity, method.figure(published.quantity));
+            Comparison { name: &method.name, quantity, text: &published.text, ours, verdict }
+        })
+    });
+    About {
+        file: &manifest.file,
+        text: &plan.text,
+        seed: finished.seed,
+        comparisons: expected.chain(printed).collect(),
+        origin: manifest.entries(),
+    }
+}
+
 /// The meshes of right helicoid and catenoid, and the weights of every frame, if the experiment is a deformation and no
 /// frame failed.
 fn deformation(finished: &Finished) -> Option<(&Mesh, &Mesh, Vec<[f64; 2]>)> {
-    let frames = finished.methods.get(1..).filter(|frames| frames.len() > 1)?;
+    let frames = finished.results.methods.get(1..).filter(|frames| frames.len() > 1)?;
     let done: Vec<&Done> = frames.iter().map(|f| f.outcome.as_deref().ok()).collect::<Option<_>>()?;
     let weights = done.iter().map(|done| done.closed_form?.weights).collect::<Option<_>>()?;
     Some((&done.first()?.mesh, &done.last()?.mesh, weights))

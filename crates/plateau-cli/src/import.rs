@@ -8,7 +8,8 @@ use std::path::Path;
 use surfaces::Point;
 use thiserror::Error;
 
-use crate::{MAX_COORDINATE, MAX_DEGREE, Plan};
+use crate::Plan;
+use plateau::{MAX_COORDINATE, MAX_DEGREE};
 
 mod fit;
 mod read;

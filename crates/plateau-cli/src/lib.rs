@@ -1,12 +1,13 @@
 //! The plateau workbench: experiment files in, surfaces and tables out.
 //!
 //! A [`Plan`] is an experiment file, read and checked ([`Diagnostic`]s point at what is wrong with it). [`run()`] computes
-//! every method of a plan: the boundary net, the extremal of an energy, the search for shape parameters, the [`Figures`]
+//! every method of a plan: the boundary net, the extremal of an energy, the search for shape parameters, the figures
 //! of the patch found. [`table()`] prints them, [`deliver()`] writes `result.json` and the files for other programs.
 //! The library touches neither the terminal nor the command line.
 //!
 //! ```
-//! use plateau::{Options, Plan, Quantity, run, table};
+//! use plateau::Quantity;
+//! use plateau_cli::{Options, Plan, run, table};
 //!
 //! let text = r#"
 //!     title = "A bilinear saddle, degree 2"
@@ -22,36 +23,28 @@
 //! "#;
 //! let plan = Plan::parse("saddle.toml", text)?;
 //! let finished = run(&plan, Options::default(), &())?;
-//! let area = finished.methods[0].figure(Quantity::Area).expect("the method succeeds");
-//! assert!((area - 5.123).abs() < 1e-2 && table(&finished).contains("Dirichlet"), "{area}");
+//! let area = finished.results.methods[0].figure(Quantity::Area).expect("the method succeeds");
+//! assert!((area - 5.123).abs() < 1e-2 && table(&finished.results).contains("Dirichlet"), "{area}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod arithmetic;
 mod atomic;
-mod boundary_figures;
 mod checkpoint;
-mod closed_form;
 mod colour;
-mod curve;
-mod degeneracy;
 mod deliver;
 mod destination;
 mod diagnostic;
 mod earlier;
 mod export;
-mod family;
-mod figures;
 mod file_name;
 mod folder;
-mod helicoid;
+mod format;
 mod import;
+mod limits;
 mod manifest;
-mod method;
 mod picture;
 mod plan;
 mod printable;
-mod progress;
 mod report;
 mod report_html;
 mod reproduce;
@@ -64,39 +57,25 @@ mod spec;
 mod template;
 mod verification;
 
-pub use arithmetic::Arithmetic;
 pub use atomic::Claim;
-pub use boundary_figures::BoundaryFigures;
 pub use checkpoint::{CHECKPOINT_FILE, Checkpoint, CheckpointError};
-pub use closed_form::ClosedForm;
-pub use curve::CurveResult;
 pub use deliver::{DeliverError, Delivered, deliver, deliver_watched, prepare};
 pub use destination::Destination;
 pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use earlier::{Earlier, earlier};
 pub use export::{DEFAULT_TOLERANCE, ExportError, SurfaceForm};
-pub use family::Family;
-pub use figures::Figures;
 pub use folder::{folder, folder_key};
+pub use format::Format;
 pub use import::{ImportError, import};
+pub use limits::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS};
 pub use manifest::{Manifest, Origin};
-pub use method::{
-    AreaExtremal, MethodError, SearchOutcome, SearchRun, SolveFigures, Solved, Surface, least_area,
-    least_area_triangle,
-};
-pub use plan::{
-    Basis, Boundary, Curve, CurveBasis, Deformation, DeformationPath, Energy, Expected, Experiment, Format,
-    Helicoid, Interior, MAX_COORDINATE, MAX_DEGREE, MAX_FILE_SIZE, MAX_KEYS, MAX_SEARCH_BUDGET, MAX_TOKENS,
-    MIN_SIZE, Mask, Method, Output, Patch, PatchExperiment, Plan, Published, Quantity, Search, SearchMode,
-    Shape, SolverChoice, TrapeziumHelicoid, Variant,
-};
+pub use plan::{Expected, Experiment, Output, PatchExperiment, Plan, Published, Wanted};
 pub use printable::{Printable, width_of_names};
-pub use progress::Progress;
 pub use report::table;
 pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};
 pub use result::{ResultFile, SCHEMA};
 pub use result_reader::{ReadError, StoredMethod, StoredResult};
-pub use run::{Done, Finished, MethodResult, Missed, Options, run, run_kept};
+pub use run::{Finished, Missed, Options, run, run_kept};
 pub use schema::EXPERIMENT_SCHEMA;
 pub use template::Template;
 pub use verification::{Difference, Level, Verification, Verified, VerifyError, verify};

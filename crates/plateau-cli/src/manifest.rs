@@ -5,7 +5,8 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::{Arithmetic, Options, Plan};
+use crate::{Finished, Options, Plan};
+use plateau::Arithmetic;
 
 /// The origin of a result: the program, the processor, the experiment. With it one file is enough to compute the result
 /// again ([`verify`](crate::verify)).
@@ -18,6 +19,7 @@ pub struct Manifest {
     #[serde(flatten)]
     pub origin: Origin,
     /// The arithmetic that was asked for.
+    #[serde(with = "arithmetic")]
     pub arithmetic: Arithmetic,
     /// The seed that was used.
     pub seed: u64,
@@ -51,6 +53,11 @@ pub struct Origin {
 }
 
 impl Manifest {
+    /// The manifest of what this program made of a plan.
+    pub(crate) fn of(plan: &Plan, finished: &Finished) -> Self {
+        Self::new(plan, Options { seed: Some(finished.seed), arithmetic: finished.arithmetic })
+    }
+
     /// The manifest of a plan that this program is about to run.
     pub fn new(plan: &Plan, options: Options) -> Self {
         let name = Path::new(&plan.file).file_name();
@@ -62,6 +69,25 @@ impl Manifest {
             sha256: sha256(&plan.text),
             experiment: plan.text.clone(),
         }
+    }
+
+    /// Its parts for people, names and values; without the experiment itself.
+    pub(crate) fn entries(&self) -> Vec<(&'static str, String)> {
+        let origin = &self.origin;
+        let mut entries = vec![("program", format!("plateau {}", origin.version))];
+        let built = [
+            ("revision", &origin.revision),
+            ("compiler", &origin.toolchain),
+            ("SHA-256 of Cargo.lock", &origin.lockfile_sha256),
+        ];
+        entries.extend(built.into_iter().filter_map(|(name, value)| Some((name, value.clone()?))));
+        entries.extend([
+            ("experiment file", self.file.clone()),
+            ("its SHA-256", self.sha256.clone()),
+            ("seed", self.seed.to_string()),
+            ("machine", [std::slice::from_ref(&origin.machine), &origin.cpu_features].concat().join(" ")),
+        ]);
+        entries
     }
 
     /// Whether the experiment in it is the one whose hash it states.
@@ -127,6 +153,22 @@ fn cpu_features() -> Vec<&'static str> {
 fn cpu_features() -> Vec<&'static str> {
     // Elsewhere the baseline of the architecture is all that is used.
     Vec::new()
+}
+
+/// The arithmetic by its name.
+mod arithmetic {
+    use plateau::Arithmetic;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    pub(super) fn serialize<S: Serializer>(arithmetic: &Arithmetic, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(arithmetic.name())
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Arithmetic, D::Error> {
+        let name = String::deserialize(from)?;
+        let known = Arithmetic::ALL.into_iter().find(|arithmetic| arithmetic.name() == name);
+        known.ok_or_else(|| D::Error::unknown_variant(&name, &["auto", "portable", "fma"]))
+    }
 }
 
 /// The SHA-256 of a text in hexadecimal digits, as `sha256sum` prints it.

@@ -3,8 +3,10 @@
 use serde::Serialize;
 
 use crate::report::grid::{Column, grid};
-use crate::run::{Finished, MethodResult};
-use crate::{Options, Plan, Progress, Published, run};
+use crate::run::Finished;
+use crate::{Options, Plan, Published, run};
+use plateau::MethodResult;
+use plateau::Progress;
 
 /// The experiments behind the published tables, in the order they are printed: the files of `fixtures/` that hold
 /// `published` entries, so that an installed program needs no checkout.
@@ -75,7 +77,7 @@ pub enum Verdict {
 /// Runs every experiment behind a published table.
 ///
 /// ```no_run
-/// let reproduction = plateau::reproduce(plateau::Options::default(), &());
+/// let reproduction = plateau_cli::reproduce(plateau_cli::Options::default(), &());
 /// print!("{}", reproduction.table());
 /// assert!(reproduction.is_sound());
 /// ```
@@ -101,12 +103,13 @@ impl Reproduction {
     }
 
     fn add(&mut self, file: &str, finished: &Finished) {
-        for method in &finished.methods {
-            let entry = |published: &Published| entry(file, &finished.title, method, published);
-            self.entries.extend(method.published.iter().map(entry));
+        let results = &finished.results;
+        for (method, wanted) in results.methods.iter().zip(&finished.wanted) {
+            let entry = |published: &Published| entry(file, &results.title, method, published);
+            self.entries.extend(wanted.published.iter().map(entry));
         }
         self.expected += finished.expected();
-        self.faults.extend(finished.failures().map(|(method, error)| format!("{file}: {method}: {error}")));
+        self.faults.extend(results.failures().map(|(method, error)| format!("{file}: {method}: {error}")));
         self.faults.extend(finished.missed().iter().map(|miss| {
             let ours = miss.ours.map_or("there is no such figure".into(), |ours| format!("found {ours}"));
             let (method, expected) = (&miss.method, &miss.expected);

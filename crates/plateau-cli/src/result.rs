@@ -3,8 +3,10 @@
 use serde::Serialize;
 use surfaces::{Net, TriangleNet};
 
-use crate::run::{Finished, MethodResult, Missed};
-use crate::{Manifest, SearchOutcome, SearchRun, Surface, SurfaceForm};
+use crate::run::{Finished, Missed};
+use crate::{Manifest, Plan, SurfaceForm};
+use plateau::MethodResult;
+use plateau::{SearchOutcome, SearchRun, Surface};
 
 mod curve;
 mod pieces;
@@ -195,20 +197,21 @@ struct PolishEntry {
 }
 
 impl ResultFile {
-    /// The record of a finished experiment.
-    pub fn new(finished: &Finished) -> Self {
-        let methods = finished.methods.iter().map(method_entry).collect();
+    /// The record of an experiment: the plan and what came of it.
+    pub fn new(plan: &Plan, finished: &Finished) -> Self {
+        let results = &finished.results;
+        let methods = results.methods.iter().map(method_entry).collect();
         Self {
             schema: SCHEMA,
-            title: finished.title.clone(),
+            title: results.title.clone(),
             seed: finished.seed,
             methods,
-            curve: finished.curve.as_ref().map(CurveEntry::new),
-            warnings: finished.warnings.clone(),
+            curve: results.curve.as_ref().map(CurveEntry::new),
+            warnings: results.warnings.clone(),
             missed: finished.missed().into_iter().map(missed_entry).collect(),
             files: Vec::new(),
             unwritten: Vec::new(),
-            manifest: finished.manifest.clone(),
+            manifest: Manifest::of(plan, finished),
         }
     }
 
@@ -315,7 +318,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             gradient: found.gradient,
             iterations: found.iterations,
             evaluations: found.evaluations,
-            reason: crate::report::newton_end(found.end).to_owned(),
+            reason: found.reason().to_owned(),
             second_variation: found.second_variation.and_then(finite),
         }),
         boundary_deviation: done.boundary.map(|b| b.deviation).and_then(finite),
@@ -323,7 +326,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         harmonic_bound_error: done.boundary.map(|b| b.harmonic_bound_error).and_then(finite),
         search: done.solved.search.as_ref().map(search_entry),
         files: Vec::new(),
-        warnings: done.warnings.clone(),
+        warnings: done.warnings.iter().map(ToString::to_string).collect(),
     }))
 }
 
@@ -361,9 +364,22 @@ fn run_entry(run: &SearchRun) -> RunEntry {
         polish: run.polish.as_ref().map(|p| PolishEntry {
             value: p.value,
             kkt_residual: p.residual,
-            active_bounds: crate::report::active_bounds(p),
+            active_bounds: active_bounds(p),
             evaluations: p.evaluations,
             reason: p.reason.to_string(),
         }),
     }
+}
+
+/// The bounds a polish ended at, as `result.json` lists them.
+fn active_bounds(polished: &optim::Polished) -> Vec<&'static str> {
+    polished
+        .active
+        .iter()
+        .map(|bound| match bound {
+            optim::Bound::Lower => "lower",
+            optim::Bound::Free => "free",
+            optim::Bound::Upper => "upper",
+        })
+        .collect()
 }

@@ -17,7 +17,8 @@ use thiserror::Error;
 use crate::atomic::regular;
 use crate::export::{self, Subject};
 use crate::file_name::file_names;
-use crate::{Destination, ExportError, Family, Format, MAX_DEGREE, SCHEMA, Surface, SurfaceForm};
+use crate::{Destination, ExportError, Format, SCHEMA, SurfaceForm};
+use plateau::{Family, MAX_DEGREE, Surface};
 
 /// Largest size in bytes of a result file.
 const LARGEST_FILE: u64 = 64 * 1024 * 1024;

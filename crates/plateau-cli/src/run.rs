@@ -1,13 +1,11 @@
-//! Running a plan: all methods of an experiment, their figures, what the file expected of them.
+//! Running a plan: its surfaces or its curve, and what the file wants of them.
 
-use crate::curve;
-use crate::degeneracy::degeneracies;
-use crate::helicoid::{helicoids, trapezium};
-use crate::method::{self, Context};
-use crate::{
-    Arithmetic, BoundaryFigures, Checkpoint, ClosedForm, CurveResult, Expected, Experiment, Figures,
-    Manifest, Method, MethodError, Plan, Progress, Published, Quantity, Solved, Surface,
+use plateau::{
+    Arithmetic, Context, Degeneracy, Helicoid, Keeper, MethodError, MethodResult, Progress, Quantity,
+    Results, degeneracies, helicoids, sample, solve, trapezium,
 };
+
+use crate::{Expected, Experiment, Output, PatchExperiment, Plan, Wanted};
 
 /// Choices that are not part of the experiment.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -22,50 +20,14 @@ pub struct Options {
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Finished {
-    /// The title of the file.
-    pub title: String,
+    /// What was computed.
+    pub results: Results,
     /// The seed used.
     pub seed: u64,
-    /// What the numbers depend on.
-    pub manifest: Manifest,
-    /// One entry per method, in the order of the file.
-    pub methods: Vec<MethodResult>,
-    /// The sampled curve, of curve experiments; they have no methods.
-    pub curve: Option<CurveResult>,
-    /// What a reader must know about the whole experiment.
-    pub warnings: Vec<String>,
-}
-
-/// What became of one method.
-#[derive(Debug)]
-#[non_exhaustive]
-pub struct MethodResult {
-    /// The name of the row.
-    pub name: String,
-    /// The patch and its figures, or why there is none.
-    pub outcome: Result<Box<Done>, MethodError>,
-    /// The numbers the file expects of this method.
-    pub expect: Vec<Expected>,
-    /// The numbers printed elsewhere for this method.
-    pub published: Vec<Published>,
-}
-
-/// A method that found its patch.
-#[derive(Debug)]
-#[non_exhaustive]
-pub struct Done {
-    /// The patch and the way to it.
-    pub solved: Solved,
-    /// The mesh the files and the largest curvature are taken from.
-    pub mesh: surfaces::Mesh,
-    /// Its figures.
-    pub figures: Figures,
-    /// What its boundary admits and how far it moved, for patches on the unit square.
-    pub boundary: Option<BoundaryFigures>,
-    /// How it compares with its closed form, for surfaces that have one.
-    pub closed_form: Option<ClosedForm>,
-    /// What a reader must know about this method.
-    pub warnings: Vec<String>,
+    /// The arithmetic asked for.
+    pub arithmetic: Arithmetic,
+    /// What the file wants of every row of the results, or of the curve.
+    pub wanted: Vec<Wanted>,
 }
 
 /// An expected number that was not met.
@@ -84,11 +46,11 @@ pub struct Missed {
 /// # Errors
 /// As for a method, of the one curve of a curve experiment.
 pub fn run(plan: &Plan, options: Options, progress: &dyn Progress) -> Result<Finished, MethodError> {
-    run_kept(plan, options, progress, None)
+    run_kept(plan, options, progress, &())
 }
 
-/// As [`run()`], with the runs of searches that `checkpoint` holds taken from there, and those that end kept there. The
-/// result is the same bit for bit, whatever the checkpoint held, if its manifest is that of `plan` and `options`.
+/// As [`run()`], with the runs of searches that `keeper` holds taken from there, and those that end kept there. The
+/// result is the same bit for bit, whatever was kept, if it was kept of the same plan and options by the same program.
 ///
 /// # Errors
 /// As [`run()`].
@@ -96,61 +58,70 @@ pub fn run_kept(
     plan: &Plan,
     options: Options,
     progress: &dyn Progress,
-    checkpoint: Option<&Checkpoint>,
+    keeper: &dyn Keeper,
 ) -> Result<Finished, MethodError> {
-    let (title, seed) = (plan.title.clone(), options.seed.unwrap_or(plan.seed));
-    let manifest = Manifest::new(plan, options);
-    let mut finished =
-        Finished { title, seed, manifest, methods: Vec::new(), curve: None, warnings: Vec::new() };
+    let (seed, arithmetic) = (options.seed.unwrap_or(plan.seed), options.arithmetic);
+    let mut results =
+        Results { title: plan.title.clone(), methods: Vec::new(), curve: None, warnings: Vec::new() };
+    let mut wanted = plan.wanted.clone();
     let mesh = plan.output.mesh;
     match &plan.experiment {
         Experiment::Patch(experiment) => {
-            let arithmetic = options.arithmetic;
-            let context = Context { experiment, index: 0, checkpoint, seed, arithmetic, progress };
-            finished.warnings = degeneracies(&experiment.boundary);
-            finished.methods = patches(&context, mesh);
+            let mut context = Context::new(seed);
+            (context.search, context.arithmetic, context.mesh) = (experiment.search, arithmetic, mesh);
+            (context.keeper, context.progress) = (keeper, progress);
+            results.warnings = degeneracies(&experiment.boundary).iter().map(Degeneracy::to_string).collect();
+            results.methods = patches(experiment, &context);
         }
-        Experiment::Helicoid(helicoid) => finished.methods = helicoids(helicoid, mesh, progress),
-        Experiment::TrapeziumHelicoid(helicoid) => finished.methods = vec![trapezium(helicoid, mesh)],
+        Experiment::Helicoid(helicoid) => {
+            results.methods = helicoids(helicoid, mesh, progress);
+            wanted = wanted_of_frames(helicoid, wanted);
+        }
+        Experiment::TrapeziumHelicoid(helicoid) => results.methods = vec![trapezium(helicoid, mesh)],
         Experiment::Curve(curve) => {
-            let sampled = curve::sample(curve)?;
-            finished.warnings = sampled.warnings(curve, &plan.output);
-            finished.curve = Some(sampled);
+            let sampled = sample(curve)?;
+            results.warnings.extend(without_mesh(&plan.output));
+            results.warnings.extend(sampled.warnings().iter().map(ToString::to_string));
+            results.curve = Some(sampled);
         }
     }
-    Ok(finished)
+    Ok(Finished { results, seed, arithmetic, wanted })
 }
 
-fn patches(context: &Context<'_>, mesh: usize) -> Vec<MethodResult> {
-    let result = |(index, method): (usize, &Method)| MethodResult {
-        name: method.name.clone(),
-        outcome: run_method(method, &Context { index, ..*context }, mesh).map(Box::new),
-        expect: method.expect.clone(),
-        published: method.published.clone(),
+fn patches(experiment: &PatchExperiment, context: &Context<'_>) -> Vec<MethodResult> {
+    let result = |(index, method): (usize, &plateau::Method)| {
+        let mut context = *context;
+        context.index = index;
+        let outcome = solve(&experiment.boundary, method, &context).map(Box::new);
+        MethodResult { name: method.name.clone(), outcome }
     };
-    context.experiment.methods.iter().enumerate().map(result).collect()
+    experiment.methods.iter().enumerate().map(result).collect()
 }
 
-fn run_method(method: &Method, context: &Context<'_>, mesh: usize) -> Result<Done, MethodError> {
-    if context.progress.cancelled() {
-        return Err(MethodError::Interrupted);
-    }
-    let solved = method::solve(method, context)?;
-    let cancellation = solved.surface.cancellation();
-    if cancellation > method::WORST_CANCELLATION {
-        return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
-    }
-    context.progress.begin(&format!("figures of {}", method.name), None);
-    let mesh = solved.surface.mesh(mesh);
-    let figures = Figures::of(solved.surface.patch(), &mesh);
-    context.progress.end();
-    let figures = figures?;
-    let boundary = match &solved.surface {
-        Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
-        Surface::Triangle(_) | Surface::Pieces(_) => None,
-    };
-    let warnings = crate::report::warnings(&solved, &figures, &context.experiment.search);
-    Ok(Done { solved, mesh, figures, boundary, closed_form: None, warnings })
+/// What is wanted of a helicoid and of the frames of its deformation: of every frame what is the same for all.
+fn wanted_of_frames(helicoid: &Helicoid, mut wanted: Vec<Wanted>) -> Vec<Wanted> {
+    let shared: Vec<Expected> =
+        wanted.iter().flat_map(|w| &w.expect).filter(|e| is_shared(e.quantity)).cloned().collect();
+    let frames = helicoid.deformation.map_or(0, |deformation| deformation.frames);
+    wanted.extend((0..frames).map(|_| Wanted { expect: shared.clone(), published: Vec::new() }));
+    wanted
+}
+
+/// Whether a figure is the same for all surfaces of a deformation: then it is expected of every frame.
+fn is_shared(quantity: Quantity) -> bool {
+    matches!(
+        quantity,
+        Quantity::Deviation
+            | Quantity::ConformalityGap
+            | Quantity::MeanCurvatureMax
+            | Quantity::MeanCurvatureRms
+    )
+}
+
+/// What is said where a curve is asked for in formats of surfaces.
+fn without_mesh(output: &Output) -> Option<String> {
+    let names: Vec<&str> = output.formats.iter().map(|format| format.name()).collect();
+    (!names.is_empty()).then(|| format!("a curve has no mesh: nothing is written as {}", names.join(", ")))
 }
 
 impl Finished {
@@ -168,48 +139,14 @@ impl Finished {
     }
 
     /// Every expected number with its method and ours.
-    pub(crate) fn comparisons(&self) -> impl Iterator<Item = (&str, &Expected, Option<f64>)> {
-        let of_methods = self.methods.iter().flat_map(|method| {
-            method.expect.iter().map(|e| (method.name.as_str(), e, method.figure(e.quantity)))
+    pub fn comparisons(&self) -> impl Iterator<Item = (&str, &Expected, Option<f64>)> {
+        let of_methods = self.results.methods.iter().zip(&self.wanted).flat_map(|(method, wanted)| {
+            wanted.expect.iter().map(|e| (method.name.as_str(), e, method.figure(e.quantity)))
         });
-        let of_curve = self
-            .curve
-            .iter()
-            .flat_map(|curve| curve.expect.iter().map(|e| ("curve", e, curve.figure(e.quantity))));
+        let of_curve =
+            self.results.curve.iter().zip(&self.wanted).flat_map(|(curve, wanted)| {
+                wanted.expect.iter().map(|e| ("curve", e, curve.figure(e.quantity)))
+            });
         of_methods.chain(of_curve)
-    }
-
-    /// Whether the caller's wish to end left something undone.
-    pub fn was_interrupted(&self) -> bool {
-        self.failures().any(|(_, error)| matches!(error, MethodError::Interrupted))
-    }
-
-    /// The methods that failed, with their errors.
-    pub fn failures(&self) -> impl Iterator<Item = (&str, &MethodError)> {
-        self.methods.iter().filter_map(|m| m.outcome.as_ref().err().map(|error| (m.name.as_str(), error)))
-    }
-}
-
-impl MethodResult {
-    /// One figure of the result; none if the method failed or has no such figure.
-    pub fn figure(&self, quantity: Quantity) -> Option<f64> {
-        let done = self.outcome.as_ref().ok()?;
-        let (figures, solved) = (&done.figures, &done.solved);
-        match quantity {
-            Quantity::Dirichlet => Some(figures.dirichlet.value),
-            Quantity::Area => Some(figures.area.value),
-            Quantity::LaplacianDefect => Some(figures.laplacian_defect.value),
-            Quantity::Bending => Some(figures.bending.value),
-            Quantity::ConformalityGap => figures.conformality_gap,
-            Quantity::MeanCurvatureMax => figures.mean_curvature_max,
-            Quantity::MeanCurvatureRms => figures.mean_curvature_rms,
-            Quantity::Residual => solved.solve.map(|s| s.residual),
-            Quantity::Shape(k) => solved.shape.and_then(|shape| shape.get(k).copied()),
-            Quantity::SearchMinimum => solved.search.as_ref().map(|s| s.minimum),
-            Quantity::BoundaryDeviation => done.boundary.map(|b| b.deviation),
-            Quantity::HarmonicBound => done.boundary.map(|b| b.harmonic_bound),
-            Quantity::Deviation => done.closed_form.map(|form| form.deviation),
-            Quantity::Curvature(_) => None,
-        }
     }
 }

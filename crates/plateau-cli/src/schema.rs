@@ -6,7 +6,7 @@
 /// also knows which keys fit together: every sound file validates, not every valid file is sound.
 ///
 /// ```
-/// let schema: serde_json::Value = serde_json::from_str(plateau::EXPERIMENT_SCHEMA)?;
+/// let schema: serde_json::Value = serde_json::from_str(plateau_cli::EXPERIMENT_SCHEMA)?;
 /// assert_eq!(schema["properties"]["output"]["properties"]["mesh"]["default"], 48);
 /// # Ok::<(), serde_json::Error>(())
 /// ```

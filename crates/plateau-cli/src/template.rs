@@ -62,8 +62,8 @@ impl Template {
     /// The file: a sound experiment with comments that explain every key.
     ///
     /// ```
-    /// for template in plateau::Template::ALL {
-    ///     assert!(plateau::Plan::parse(template.name(), template.text()).is_ok());
+    /// for template in plateau_cli::Template::ALL {
+    ///     assert!(plateau_cli::Plan::parse(template.name(), template.text()).is_ok());
     /// }
     /// ```
     #[must_use]

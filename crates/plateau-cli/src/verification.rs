@@ -9,10 +9,8 @@ use thiserror::Error;
 use crate::export::{Subject, rehearse};
 use crate::result_reader::{check_schema, contents, required};
 use crate::run::Finished;
-use crate::{
-    Arithmetic, ExportError, Manifest, MethodError, Options, Origin, Plan, Progress, ReadError, Refusal,
-    ResultFile, run,
-};
+use crate::{ExportError, Manifest, Options, Origin, Plan, ReadError, Refusal, ResultFile, run};
+use plateau::{Arithmetic, MethodError, Progress};
 
 mod compare;
 
@@ -149,9 +147,10 @@ fn arithmetic(manifest: &Manifest) -> Arithmetic {
 /// The record as it would be delivered without the files that `unwritten` names, nothing written.
 fn record(plan: &Plan, finished: &Finished, unwritten: Option<&Value>) -> ResultFile {
     let unwritten = unwritten.and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
-    let mut record = ResultFile::new(finished);
-    let names = crate::file_name::file_names(finished.methods.iter().map(|method| method.name.as_str()));
-    for (k, (method, name)) in finished.methods.iter().zip(&names).enumerate() {
+    let mut record = ResultFile::new(plan, finished);
+    let names =
+        crate::file_name::file_names(finished.results.methods.iter().map(|method| method.name.as_str()));
+    for (k, (method, name)) in finished.results.methods.iter().zip(&names).enumerate() {
         let Ok(done) = &method.outcome else { continue };
         for &format in &plan.output.formats {
             let subject = Subject { name: &method.name, mesh: &done.mesh };

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use plateau::{Level, Printable, Verification, VerifyError, verify, width_of_names};
+use plateau_cli::{Level, Printable, Verification, VerifyError, verify, width_of_names};
 
 use crate::bars::Bars;
 use crate::command::{Failure, VerifyArguments, line, say, start_threads, tell};

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use plateau::{Options, Plan, Template, reproduce, run, table};
+use plateau_cli::{Options, Plan, Template, reproduce, run, table};
 
 fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs")
@@ -88,7 +88,7 @@ fn quoted_tables_are_those_of_the_program() {
     quotes("reproduced.md", published);
     quotes("tour.md", published.lines().last().expect("the counts"));
     let plan = Plan::parse("first.toml", Template::Tensor.text()).unwrap();
-    quotes("tour.md", &table(&run(&plan, Options::default(), &()).unwrap()));
+    quotes("tour.md", &table(&run(&plan, Options::default(), &()).unwrap().results));
     let plan = Plan::read(docs().join("../fixtures/gt-5.1.toml")).unwrap();
-    quotes("../README.md", &table(&run(&plan, Options::default(), &()).unwrap()));
+    quotes("../README.md", &table(&run(&plan, Options::default(), &()).unwrap().results));
 }

@@ -10,8 +10,9 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use plateau::{
-    CHECKPOINT_FILE, Checkpoint, Finished, Manifest, Options, Plan, Progress, ResultFile, run, run_kept,
+use plateau::Progress;
+use plateau_cli::{
+    CHECKPOINT_FILE, Checkpoint, Finished, Manifest, Options, Plan, ResultFile, run, run_kept,
 };
 
 /// A fixture with other sizes of its search.
@@ -172,8 +173,8 @@ fn two_hundred_kills_lose_nothing() {
     kill(50, 4);
 }
 
-fn json(finished: &Finished) -> String {
-    ResultFile::new(finished).to_json().unwrap()
+fn json(plan: &Plan, finished: &Finished) -> String {
+    ResultFile::new(plan, finished).to_json().unwrap()
 }
 
 /// Wants an end after so many steps.
@@ -198,18 +199,18 @@ fn a_resumed_search_has_the_bytes_of_an_undisturbed_one() {
     let text = fixture("gt-5.1.toml", 20, 40, 6).replace("\n[search]", &format!("{descents}\n[search]"));
     let plan = Plan::parse("three-searches.toml", &text).unwrap();
     let options = Options::default();
-    let undisturbed = json(&run(&plan, options, &()).unwrap());
+    let undisturbed = json(&plan, &run(&plan, options, &()).unwrap());
     let mut kept = Vec::new();
     for steps in [1, 60, 150, 250, 251, 254, 300, 400, 490] {
         let checkpoint = || Checkpoint::new(folder.path(), Manifest::new(&plan, options), Duration::ZERO);
         let (first, second) = (checkpoint(), checkpoint());
-        let cut = run_kept(&plan, options, &After(AtomicUsize::new(steps)), Some(&first)).unwrap();
-        assert!(cut.was_interrupted());
+        let cut = run_kept(&plan, options, &After(AtomicUsize::new(steps)), &first).unwrap();
+        assert!(cut.results.was_interrupted());
         first.flush().unwrap();
         kept.push(second.load().unwrap());
         assert_eq!(kept.last(), Some(&first.runs()));
-        let resumed = run_kept(&plan, options, &(), Some(&second)).unwrap();
-        assert!(json(&resumed) == undisturbed, "cut after {steps} steps");
+        let resumed = run_kept(&plan, options, &(), &second).unwrap();
+        assert!(json(&plan, &resumed) == undisturbed, "cut after {steps} steps");
         assert_eq!(second.runs(), 18);
         second.remove().unwrap();
     }
@@ -224,11 +225,11 @@ fn a_checkpoint_that_was_loaded_is_completed_when_a_search_ends() {
     let checkpoint =
         |seconds| Checkpoint::new(folder.path(), Manifest::new(&plan, options), Duration::from_secs(seconds));
     let first = checkpoint(0);
-    run_kept(&plan, options, &After(AtomicUsize::new(100)), Some(&first)).unwrap();
+    run_kept(&plan, options, &After(AtomicUsize::new(100)), &first).unwrap();
     first.flush().unwrap();
     let second = checkpoint(3600);
     let kept = second.load().unwrap();
-    run_kept(&plan, options, &(), Some(&second)).unwrap();
+    run_kept(&plan, options, &(), &second).unwrap();
     assert_eq!((kept > 0 && kept < 6, checkpoint(0).load().unwrap()), (true, 6), "{kept} were kept");
 }
 
@@ -238,7 +239,7 @@ fn short_searches_write_no_checkpoint() {
     let plan = Plan::parse("short.toml", &fixture("gt-5.1.toml", 20, 40, 6)).unwrap();
     let manifest = Manifest::new(&plan, Options::default());
     let checkpoint = Checkpoint::new(folder.path(), manifest, Duration::from_secs(3600));
-    run_kept(&plan, Options::default(), &(), Some(&checkpoint)).unwrap();
+    run_kept(&plan, Options::default(), &(), &checkpoint).unwrap();
     assert_eq!((checkpoint.runs(), folder.path().read_dir().unwrap().count()), (6, 0));
 }
 
@@ -253,7 +254,7 @@ fn checkpoints_that_do_not_fit_are_ignored_and_say_why() {
     let out = folder.path().join("out");
     let path = out.join("x").join(CHECKPOINT_FILE);
     let checkpoint = Checkpoint::new(&out.join("x"), Manifest::new(&plan, options), Duration::ZERO);
-    run_kept(&plan, options, &(), Some(&checkpoint)).unwrap();
+    run_kept(&plan, options, &(), &checkpoint).unwrap();
     let whole = fs::read(&path).unwrap();
     let files = [file.clone()];
     let undisturbed = {

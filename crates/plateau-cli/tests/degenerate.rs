@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use plateau::{Finished, Options, Plan, ResultFile, deliver, run};
+use plateau_cli::{Finished, Options, Plan, ResultFile, deliver, run};
 
 fn fixtures() -> BTreeMap<String, PathBuf> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/degenerate");
@@ -27,11 +27,11 @@ fn finished(path: &Path) -> (Plan, Finished) {
 
 /// What is said of a finished experiment: its own warnings, and "name: …" for those of its methods and their errors.
 fn said(finished: &Finished) -> Vec<String> {
-    let of_methods = finished.methods.iter().flat_map(|method| match &method.outcome {
+    let of_methods = finished.results.methods.iter().flat_map(|method| match &method.outcome {
         Ok(done) => done.warnings.iter().map(|w| format!("{}: {w}", method.name)).collect(),
         Err(error) => vec![format!("{}: failed: {error}", method.name)],
     });
-    finished.warnings.iter().cloned().chain(of_methods).collect()
+    finished.results.warnings.iter().cloned().chain(of_methods).collect()
 }
 
 /// For each fixture: every line names words that one thing said must hold.
@@ -137,8 +137,8 @@ fn the_cause_is_named() {
 #[test]
 fn every_missing_figure_is_explained() {
     for (name, path) in fixtures() {
-        let (_, finished) = finished(&path);
-        for method in &finished.methods {
+        let (plan, finished) = finished(&path);
+        for method in &finished.results.methods {
             let Ok(done) = &method.outcome else { continue };
             let f = &done.figures;
             for (missing, word) in [
@@ -147,14 +147,14 @@ fn every_missing_figure_is_explained() {
                 (f.mean_curvature_rms.is_none(), "left out"),
                 (!f.area.settled && f.conformality_gap.is_some(), "has not settled"),
             ] {
-                let explained = done.warnings.iter().any(|warning| warning.contains(word));
+                let explained = done.warnings.iter().any(|warning| warning.to_string().contains(word));
                 assert!(!missing || explained, "{name}, {}: {word} in {:#?}", method.name, done.warnings);
             }
             for x in [f.dirichlet, f.area, f.laplacian_defect, f.bending] {
                 assert!(x.value.is_finite() && x.error.is_finite(), "{name}, {}: {x:?}", method.name);
             }
         }
-        let json = ResultFile::new(&finished).to_json().unwrap();
+        let json = ResultFile::new(&plan, &finished).to_json().unwrap();
         assert!(!json.contains("null"), "{name}");
     }
 }

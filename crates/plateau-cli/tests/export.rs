@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use plateau::{
+use plateau_cli::{
     DEFAULT_TOLERANCE, Destination, ExportError, Format, Options, Plan, ReadError, StoredResult, deliver, run,
 };
 use proptest::prelude::*;
@@ -73,8 +73,8 @@ fn stored_surfaces_are_those_that_were_found() {
         let delivered = deliver(&plan, &finished, &folder.0).unwrap();
         assert!(delivered.refusals.is_empty());
         let stored = StoredResult::read(&delivered.folder.join("result.json")).unwrap();
-        assert_eq!(stored.methods.len(), finished.methods.len());
-        for (stored, method) in stored.methods.iter().zip(&finished.methods) {
+        assert_eq!(stored.methods.len(), finished.results.methods.len());
+        for (stored, method) in stored.methods.iter().zip(&finished.results.methods) {
             let (surface, family) = stored.surface.as_ref().unwrap();
             let done = method.outcome.as_ref().unwrap();
             assert_eq!((&stored.name, *family), (&method.name, done.solved.family));
@@ -95,7 +95,7 @@ fn meshes_hold_what_the_mesh_knows() {
     let plan = &plans()[0];
     let finished = run(plan, Options::default(), &()).unwrap();
     let delivered = deliver(plan, &finished, &folder.0).unwrap();
-    let mesh = &finished.methods[0].outcome.as_ref().unwrap().mesh;
+    let mesh = &finished.results.methods[0].outcome.as_ref().unwrap().mesh;
     let read = |format: &str| fs::read(delivered.folder.join(format!("bernstein.{format}"))).unwrap();
     let coordinates: Vec<f64> = mesh.points.iter().flat_map(|p| [p.x, p.y, p.z]).collect();
 

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use plateau::{Finished, Options, Plan, Quantity, ResultFile, run};
+use plateau::Quantity;
+use plateau_cli::{Finished, Options, Plan, ResultFile, run};
 
 fn fixtures() -> Vec<PathBuf> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures");
@@ -32,7 +33,7 @@ fn every_fixture_meets_the_numbers_it_states() {
         let finished = finish(&plan);
         assert!(finished.expected() > 0, "{} expects nothing", file.display());
         assert_eq!(finished.missed(), [], "{}", file.display());
-        let failures: Vec<_> = finished.failures().collect();
+        let failures: Vec<_> = finished.results.failures().collect();
         assert!(failures.is_empty(), "{}: {failures:?}", file.display());
     }
 }
@@ -53,7 +54,7 @@ fn a_wrong_expectation_is_missed() {
 fn all_runs_of_the_papers_searches_end_at_the_minimum() {
     for name in ["gt-5.1.toml", "gt-5.2.toml", "gt-5.1-local.toml", "gt-5.2-local.toml"] {
         let finished = finish(&fixture(name));
-        let done = finished.methods[0].outcome.as_ref().expect("the search succeeds");
+        let done = finished.results.methods[0].outcome.as_ref().expect("the search succeeds");
         let search = done.solved.search.as_ref().expect("a search");
         let minimum = if name.contains("5.1") { 37.439_561_196_6 } else { 37.790_336_581 };
         assert_eq!(search.runs.len(), 10);
@@ -73,7 +74,7 @@ fn results_are_the_same_bytes_for_any_number_of_threads() {
         let plan = fixture(name);
         let json = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| ResultFile::new(&finish(&plan)).to_json().unwrap())
+            pool.install(|| ResultFile::new(&plan, &finish(&plan)).to_json().unwrap())
         };
         let one = json(1);
         assert!(one.contains("plateau-result/1") && !one.contains("null"));

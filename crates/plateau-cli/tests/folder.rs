@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use plateau::{Options, Plan, Progress, deliver, deliver_watched, earlier, run, verify};
+use plateau::Progress;
+use plateau_cli::{Options, Plan, deliver, deliver_watched, earlier, run, verify};
 use serde_json::Value;
 
 const EXPERIMENT: &str = r#"
@@ -138,10 +139,10 @@ fn pipes_in_the_folder_keep_nobody_waiting() {
         assert!(made.success());
     }
     let plan = Plan::parse("x.toml", EXPERIMENT).unwrap();
-    let _claim = plateau::prepare(&plan, out.path()).unwrap();
+    let _claim = plateau_cli::prepare(&plan, out.path()).unwrap();
     assert!(earlier(&plan, Options::default(), out.path()).is_none());
-    let manifest = plateau::Manifest::new(&plan, Options::default());
-    let checkpoint = plateau::Checkpoint::new(&folder, manifest, std::time::Duration::ZERO);
+    let manifest = plateau_cli::Manifest::new(&plan, Options::default());
+    let checkpoint = plateau_cli::Checkpoint::new(&folder, manifest, std::time::Duration::ZERO);
     assert!(checkpoint.load().unwrap_err().to_string().contains("not a regular file"));
     made(EXPERIMENT, out.path());
     checkpoint.remove().unwrap();

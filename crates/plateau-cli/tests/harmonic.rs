@@ -1,6 +1,7 @@
 //! Harmonic nets from two opposite sides, and the bound that harmonic surfaces set.
 
-use plateau::{Boundary, BoundaryFigures, Experiment, MethodError, Options, Plan, Surface, run};
+use plateau::{Boundary, BoundaryFigures, MethodError, Surface};
+use plateau_cli::{Experiment, Options, Plan, run};
 use proptest::prelude::*;
 use surfaces::{Net, Point, TensorPatch, tb_coons};
 
@@ -72,7 +73,7 @@ fn experiment(rows: bool, m: usize, n: usize, net: &[[f64; 3]]) -> Plan {
 
 fn solved(plan: &Plan) -> Result<Net, MethodError> {
     let finished = run(plan, Options::default(), &()).expect("a patch experiment");
-    let method = finished.methods.into_iter().next().expect("one method");
+    let method = finished.results.methods.into_iter().next().expect("one method");
     match method.outcome?.solved.surface {
         Surface::Tensor(patch) => Ok(patch.net().clone()),
         other => panic!("a rectangular net was asked for, not {other:?}"),

@@ -2,7 +2,8 @@
 
 #![allow(clippy::print_stdout)] // the figures are worth reading
 
-use plateau::{MethodError, Options, Plan, run};
+use plateau::MethodError;
+use plateau_cli::{Options, Plan, run};
 use solve::SolveError;
 
 /// Bernstein coefficients of degree d of the function with these Taylor coefficients: exact sums of positive weights
@@ -56,7 +57,7 @@ fn harmonic_graphs_are_found_at_degrees_20_and_30() {
     // The Taylor polynomial itself is off by 1/21! ≈ 2e-20 at degree 20: what is measured is the solver.
     for (degree, bound) in [(20, 1e-12), (30, 1e-8)] {
         let finished = run(&exponential_frame(degree, ""), Options::default(), &()).unwrap();
-        let done = finished.methods[0].outcome.as_ref().expect("solved");
+        let done = finished.results.methods[0].outcome.as_ref().expect("solved");
         let figures = done.solved.solve.expect("an extremal");
         assert_eq!(figures.solver, "separable");
         assert!(figures.residual < 30.0);
@@ -78,7 +79,7 @@ fn harmonic_graphs_are_found_at_degrees_20_and_30() {
 #[test]
 fn the_dense_solver_asked_for_by_name_refuses_where_it_cannot() {
     let finished = run(&exponential_frame(20, "solver = \"dense\""), Options::default(), &()).unwrap();
-    match &finished.methods[0].outcome {
+    match &finished.results.methods[0].outcome {
         Err(error @ MethodError::Solve(SolveError::NotPositiveDefinite { .. })) => {
             assert!(error.to_string().contains("separable"), "the message must say what to do: {error}");
         }

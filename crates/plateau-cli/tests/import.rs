@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 
-use plateau::{Boundary, Experiment, ImportError, Plan, import};
+use plateau::Boundary;
+use plateau_cli::{Experiment, ImportError, Plan, import};
 use proptest::prelude::*;
 
 fn file(name: &str, text: &str) -> PathBuf {

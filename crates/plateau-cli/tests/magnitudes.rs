@@ -1,7 +1,8 @@
 //! Boundaries of any size: from 1e-60 to 1e60 the results are those of the unit size, scaled, and finite in every figure; beyond,
 //! the boundary is refused with the point.
 
-use plateau::{Done, Fault, Options, Plan, ResultFile, run};
+use plateau::Done;
+use plateau_cli::{Fault, Options, Plan, ResultFile, run};
 use proptest::prelude::*;
 
 const METHODS: &str = r#"
@@ -125,8 +126,8 @@ proptest! {
                 prop_assert!((1e-61..1e61).contains(&size), "{scale:e} was admitted");
                 let scaled = run(&plan, Options::default(), &()).unwrap();
                 let unit = run(&Plan::parse("unit.toml", unit).unwrap(), Options::default(), &()).unwrap();
-                prop_assert!(!ResultFile::new(&scaled).to_json().unwrap().contains("null"));
-                for (a, b) in scaled.methods.iter().zip(&unit.methods) {
+                prop_assert!(!ResultFile::new(&plan, &scaled).to_json().unwrap().contains("null"));
+                for (a, b) in scaled.results.methods.iter().zip(&unit.results.methods) {
                     let (a, b) = (a.outcome.as_ref().unwrap(), b.outcome.as_ref().unwrap());
                     for ((name, x, power), (_, y, _)) in figures(a).into_iter().zip(figures(b)) {
                         // A power of two times a double is exact: the same operations on the same bits.
@@ -148,14 +149,14 @@ proptest! {
         if let Ok(plan) = Plan::parse("mixed.toml", &text) {
             prop_assert!(exponent <= 60.1);
             let finished = run(&plan, Options::default(), &()).unwrap();
-            for done in finished.methods.iter().filter_map(|method| method.outcome.as_ref().ok()) {
+            for done in finished.results.methods.iter().filter_map(|method| method.outcome.as_ref().ok()) {
                 let f = &done.figures;
                 for integral in [f.dirichlet, f.area, f.laplacian_defect, f.bending] {
                     prop_assert!(integral.value.is_finite() && integral.error.is_finite());
                 }
                 prop_assert!(done.mesh.points.iter().all(|p| p.is_finite()));
             }
-            prop_assert!(!ResultFile::new(&finished).to_json().unwrap().contains("null"));
+            prop_assert!(!ResultFile::new(&plan, &finished).to_json().unwrap().contains("null"));
         } else {
             prop_assert!(exponent > 59.9);
         }

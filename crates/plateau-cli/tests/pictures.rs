@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use plateau::{Options, Plan, deliver, run};
+use plateau_cli::{Options, Plan, deliver, run};
 
 const LARGEST_PICTURE: usize = 300_000;
 const LARGEST_REPORT: usize = 1_500_000;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use plateau::{Experiment, Options, Plan, Verdict, reproduce};
+use plateau_cli::{Experiment, Options, Plan, Verdict, reproduce};
 
 #[test]
 fn every_published_number_agrees_or_is_a_known_misprint() {
@@ -33,8 +33,8 @@ fn every_fixture_with_published_numbers_is_reproduced() {
         }
         let plan = Plan::read(&path).unwrap();
         if let Experiment::Patch(patches) = &plan.experiment {
-            for method in &patches.methods {
-                for number in &method.published {
+            for (method, wanted) in patches.methods.iter().zip(&plan.wanted) {
+                for number in &wanted.published {
                     published.insert((
                         format!("{}.toml", plan.stem),
                         method.name.clone(),

@@ -6,7 +6,8 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use plateau::{Arithmetic, Finished, Level, Options, Plan, ResultFile, earlier, run, verify};
+use plateau::Arithmetic;
+use plateau_cli::{Finished, Level, Options, Plan, ResultFile, earlier, run, verify};
 use serde_json::Value;
 
 fn fixture(name: &str) -> Plan {
@@ -14,8 +15,8 @@ fn fixture(name: &str) -> Plan {
     Plan::read(folder.join(name)).expect("a sound fixture")
 }
 
-fn json(finished: &Finished) -> String {
-    ResultFile::new(finished).to_json().unwrap()
+fn json(plan: &Plan, finished: &Finished) -> String {
+    ResultFile::new(plan, finished).to_json().unwrap()
 }
 
 /// Results for several numbers of threads and seeds; how many were compared.
@@ -28,7 +29,7 @@ fn same_bytes(names: &[&str], seeds: u64, threads: &[usize]) -> usize {
             let options = Options { seed: Some(seed), ..Options::default() };
             let result = |threads: usize| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-                pool.install(|| json(&run(&plan, options, &()).unwrap()))
+                pool.install(|| json(&plan, &run(&plan, options, &()).unwrap()))
             };
             let one = result(1);
             for &threads in threads {
@@ -94,7 +95,8 @@ fn the_arithmetic_shows_in_no_figure() {
     let path = folder.path().join("result.json");
     for name in ["gt-5.1.toml", "gt-5.2.toml", "gt-5.2-local.toml", "degree-5-4.toml", "tb-coons-5.1.toml"] {
         let options = Options { arithmetic: Arithmetic::Portable, ..Options::default() };
-        let record = json(&run(&fixture(name), options, &()).unwrap());
+        let plan = fixture(name);
+        let record = json(&plan, &run(&plan, options, &()).unwrap());
         assert!(record.contains("\"arithmetic\": \"portable\""));
         // As if from an older program: the figures are what is compared; and with the other arithmetic, if there is one.
         let elsewhere = record.replace("\"version\": \"0", "\"version\": \"00");
@@ -231,7 +233,7 @@ fn what_is_no_result_has_status_2() {
     let output = plateau(&["verify", "there-is-none.json"], folder.path());
     assert_eq!(output.status.code(), Some(2));
     // The old reader needs no manifest.
-    assert!(plateau::StoredResult::parse(early.as_bytes()).is_ok());
+    assert!(plateau_cli::StoredResult::parse(early.as_bytes()).is_ok());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use plateau::{EXPERIMENT_SCHEMA, Plan, Template};
+use plateau_cli::{EXPERIMENT_SCHEMA, Plan, Template};
 use serde_json::Value;
 
 fn schema() -> Value {

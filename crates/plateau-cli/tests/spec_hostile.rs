@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use plateau::{Fault, MAX_FILE_SIZE, Plan, Refusal, Template};
+use plateau_cli::{Fault, MAX_FILE_SIZE, Plan, Refusal, Template};
 use proptest::prelude::*;
 
 /// A refusal must render, and every place in it must lie in the text.

@@ -1,7 +1,7 @@
 //! Broken experiment files: each mutant has one fault, and the refusal must name it, point at it and
 //! say what to do. «…» marks the place the refusal must point at, exactly.
 
-use plateau::{Fault, Plan, Refusal};
+use plateau_cli::{Fault, Plan, Refusal};
 
 const TENSOR: &str = r#"title = "Net"
 seed = 7

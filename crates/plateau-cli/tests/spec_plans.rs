@@ -1,10 +1,10 @@
 //! Sound experiment files become the plans they describe.
 
 use plateau::{
-    Basis, Boundary, CurveBasis, DEFAULT_TOLERANCE, Deformation, DeformationPath, Energy, Experiment, Format,
-    Interior, Mask, Method, Output, Patch, PatchExperiment, Plan, Quantity, Search, SearchMode, Shape,
-    SolverChoice, Template, Variant,
+    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Energy, Interior, Mask, Method, Patch,
+    Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
 };
+use plateau_cli::{DEFAULT_TOLERANCE, Experiment, Format, Output, PatchExperiment, Plan, Template};
 
 fn plan(text: &str) -> Plan {
     Plan::parse("some/folder/net.one.toml", text).unwrap_or_else(|refusal| panic!("{refusal}"))
@@ -81,7 +81,9 @@ fn the_tensor_example() {
     assert_eq!((gt.shape, gt.interior), (Shape::Search(SearchMode::PsoPolish), dirichlet));
     assert_eq!((gt.search_energy, gt.raise, gt.solver), (Energy::Dirichlet, 0, SolverChoice::Auto));
     assert_eq!((bernstein.basis, bernstein.shape), (Basis::Bernstein, Shape::None));
-    assert!(gt.expect.is_empty() && gt.published.is_empty());
+    assert!(
+        plan.wanted.len() == 2 && plan.wanted.iter().all(|w| w.expect.is_empty() && w.published.is_empty())
+    );
 }
 
 #[test]
@@ -299,7 +301,7 @@ fn expected_numbers_keep_their_digits() {
          mean-curvature-max = 0.000\n"
     );
     let plan = plan(&text);
-    let expect = &patches(&plan).methods[0].expect;
+    let expect = &plan.wanted[0].expect;
     let of =
         |quantity| expect.iter().find(|e| e.quantity == quantity).unwrap_or_else(|| panic!("no {quantity}"));
     let dirichlet = of(Quantity::Dirichlet);
@@ -328,7 +330,7 @@ fn expected_lists_go_number_by_number() {
     );
     let plan = plan(&text);
     let shape: Vec<(Quantity, f64, f64)> =
-        patches(&plan).methods[0].expect.iter().map(|e| (e.quantity, e.value, e.tolerance)).collect();
+        plan.wanted[0].expect.iter().map(|e| (e.quantity, e.value, e.tolerance)).collect();
     assert_eq!(
         shape,
         [
@@ -339,12 +341,9 @@ fn expected_lists_go_number_by_number() {
         ]
     );
     let curve = "title = \"x\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0,0],[1,0]]\nsamples = 2\n[expect]\ncurvature = 0.00\n";
-    let Experiment::Curve(curve) = Plan::parse("c.toml", curve).unwrap_or_else(|r| panic!("{r}")).experiment
-    else {
-        panic!()
-    };
-    assert_eq!(curve.expect.len(), 2);
-    assert_eq!(curve.expect[1].quantity.to_string(), "curvature[1]");
+    let wanted = Plan::parse("c.toml", curve).unwrap_or_else(|r| panic!("{r}")).wanted;
+    assert_eq!((wanted.len(), wanted[0].expect.len()), (1, 2));
+    assert_eq!(wanted[0].expect[1].quantity.to_string(), "curvature[1]");
 }
 
 #[test]
@@ -353,13 +352,13 @@ fn published_numbers_one_or_several() {
     let several = format!("{}{}", one, one.replace("dirichlet", "shape").replace("38.0000", "0.8706"))
         .replace("[method.published]", "[[method.published]]");
     let method = "[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n";
-    let found = &methods(&format!("{method}{one}"))[0].published;
+    let found = &plan(&format!("{NET}{method}{one}")).wanted[0].published;
     assert_eq!(found.len(), 1);
     assert_eq!((found[0].printed, found[0].text.as_str(), found[0].tolerance), (38.0, "38.0000", 0.00005));
     assert_eq!((found[0].source.as_str(), found[0].quantity), ("GT Table 1", Quantity::Dirichlet));
     assert_eq!((found[0].heading.as_deref(), found[0].reason.as_deref()), (Some("Area"), Some("copied")));
     assert!(found[0].agrees_with(38.000_04) && !found[0].agrees_with(38.3538));
-    let found = &methods(&format!("{method}{several}"))[0].published;
+    let found = &plan(&format!("{NET}{method}{several}")).wanted[0].published;
     assert_eq!(found.len(), 2);
     assert_eq!((found[1].quantity, found[1].printed), (Quantity::Shape(0), 0.8706));
 }

@@ -1,6 +1,7 @@
 //! GT Theorem 2 on Enneper's sampled boundary: areas rise to the minimal area from below.
 
-use plateau::{Options, Plan, Quantity, run};
+use plateau::Quantity;
+use plateau_cli::{Options, Plan, run};
 
 fn area(degree: usize, method: &str) -> f64 {
     let at = |i: usize, j: usize| {
@@ -16,7 +17,7 @@ fn area(degree: usize, method: &str) -> f64 {
         side(&|i| at(i, degree)),
     );
     let finished = run(&Plan::parse("enneper.toml", &text).unwrap(), Options::default(), &()).unwrap();
-    finished.methods[0].figure(Quantity::Area).unwrap()
+    finished.results.methods[0].figure(Quantity::Area).unwrap()
 }
 
 #[test]

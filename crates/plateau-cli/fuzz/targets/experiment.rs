@@ -3,9 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use plateau::{
-    Basis, Boundary, Energy, Experiment, Interior, Options, Plan, ResultFile, Shape, StoredResult,
-};
+use plateau::{Basis, Boundary, Energy, Interior, Shape};
+use plateau_cli::{Experiment, Options, Plan, ResultFile, StoredResult};
 
 fuzz_target!(|bytes: &[u8]| {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
@@ -19,10 +18,10 @@ fuzz_target!(|bytes: &[u8]| {
             }
         }
         Ok(plan) if is_small(&plan) => {
-            let Ok(finished) = plateau::run(&plan, Options::default(), &()) else { return };
-            let record = ResultFile::new(&finished).to_json().expect("every record has a JSON form");
+            let Ok(finished) = plateau_cli::run(&plan, Options::default(), &()) else { return };
+            let record = ResultFile::new(&plan, &finished).to_json().expect("every record has a JSON form");
             assert!(!record.contains("null"), "a number that is not finite: {record}");
-            if finished.curve.is_none() {
+            if finished.results.curve.is_none() {
                 StoredResult::parse(record.as_bytes()).expect("what is written can be read");
             }
         }

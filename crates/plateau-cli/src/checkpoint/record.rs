@@ -3,7 +3,7 @@
 use optim::{Bound, PolishReason, Polished};
 use serde::{Deserialize, Serialize};
 
-use crate::SearchRun;
+use plateau::SearchRun;
 
 #[derive(Serialize, Deserialize)]
 pub(super) struct RunRecord {

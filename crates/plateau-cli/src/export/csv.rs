@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::CurveResult;
+use plateau::CurveResult;
 
 /// Parameter, point, derivatives and curvature with all their digits; the curvature is empty where there is none.
 pub(crate) fn write(curve: &CurveResult, out: &mut dyn Write) -> io::Result<()> {

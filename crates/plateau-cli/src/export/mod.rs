@@ -17,7 +17,8 @@ use std::path::Path;
 use surfaces::{Mesh, Point};
 use thiserror::Error;
 
-use crate::{DeliverError, Destination, Family, Format, Surface};
+use crate::{DeliverError, Destination, Format};
+use plateau::{Family, Surface};
 use step::StepFile;
 
 /// Largest distance of a fitted surface from the patch where none is asked for, as a share of the size.

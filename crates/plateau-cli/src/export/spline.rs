@@ -12,7 +12,7 @@ use bases::{Basis, Matrix};
 use surfaces::{Domain, Patch, Point, TensorPatch, TrianglePatch};
 use thiserror::Error;
 
-use crate::{Family, Surface};
+use plateau::{Family, Surface};
 
 /// Largest degree OpenCASCADE, and with it FreeCAD, takes.
 const LARGEST_DEGREE: usize = 25;

@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use surfaces::Point;
 
 use super::spline::{Accuracy, Knots, Spline, SplineError};
-use crate::{Family, Surface};
+use plateau::{Family, Surface};
 
 /// Share of the size below which points of the border are one point and curves of it one curve.
 const SAME: f64 = 1e-10;

@@ -3,7 +3,8 @@
 use super::Picture;
 use super::axis::{Axis, frame, number};
 use super::svg::{ACCENT, Anchor, FAINT, Font, Svg, path, shortened};
-use crate::{Finished, SearchOutcome, SearchRun};
+use plateau::Results;
+use plateau::{SearchOutcome, SearchRun};
 
 /// Most searches in one picture.
 const SEARCHES: usize = 6;
@@ -17,8 +18,8 @@ const SIZE: [f64; 2] = [860.0, 330.0];
 const RUN: &str = "#3d6fa5";
 
 /// One row for each search by a swarm; none if there was none.
-pub(super) fn picture(finished: &Finished) -> Option<Picture> {
-    let searches: Vec<(&str, &SearchOutcome)> = finished
+pub(super) fn picture(results: &Results) -> Option<Picture> {
+    let searches: Vec<(&str, &SearchOutcome)> = results
         .methods
         .iter()
         .filter_map(|method| {

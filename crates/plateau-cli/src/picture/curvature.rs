@@ -3,8 +3,7 @@
 use super::Picture;
 use super::axis::{Axis, frame, number};
 use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
-use crate::curve::sample;
-use crate::{Curve, CurveResult};
+use plateau::{Curve, CurveResult, sample};
 
 /// Parameters at which the curve is drawn, besides the samples of the file.
 const FINE: usize = 401;
@@ -14,12 +13,13 @@ const SIZE: [f64; 2] = [860.0, 360.0];
 const PEAK: f64 = 8.0;
 
 /// The picture of a curve; none if it cannot be drawn finely.
-pub(super) fn picture(plan: &Curve, result: &CurveResult) -> Option<Picture> {
+pub(super) fn picture(result: &CurveResult) -> Option<Picture> {
+    let plan = &result.curve;
     let [start, end] = plan.basis.domain();
     let samples = (0..FINE)
         .map(|k| if k + 1 == FINE { end } else { start + (end - start) * (k as f64 / (FINE - 1) as f64) })
         .collect();
-    let fine = sample(&Curve { samples, expect: Vec::new(), ..plan.clone() }).ok()?;
+    let fine = sample(&Curve { samples, ..plan.clone() }).ok()?;
     let mut svg = Svg::new(SIZE[0], SIZE[1], "The curve with its control polygon, and its curvature");
     svg.text([20.0, 22.0], Anchor::Start, Font::TITLE, &result.name);
     let caption = format!("length {} in {} samples", number(result.length[0]), result.t.len());

@@ -4,8 +4,8 @@ use super::axis::number;
 use super::svg::{Anchor, Font, Svg};
 use super::view::{CORNERS, Camera, axes, surface};
 use super::{Picture, colour_bar};
-use crate::Finished;
 use crate::scene::{Field, Scene, Shown, spread};
+use plateau::Results;
 
 /// Most frames of a strip.
 const FRAMES: usize = 6;
@@ -17,8 +17,8 @@ const HEAD: f64 = 42.0;
 const BAR: f64 = 110.0;
 
 /// The surfaces of the scene that are frames of a deformation: all but the first, if they have weights.
-pub(super) fn frames<'a, 'b>(finished: &Finished, scene: &'b Scene<'a>) -> Option<Vec<&'b Shown<'a>>> {
-    if finished.methods.len() < 3 || scene.surfaces.len() < 3 {
+pub(super) fn frames<'a, 'b>(results: &Results, scene: &'b Scene<'a>) -> Option<Vec<&'b Shown<'a>>> {
+    if results.methods.len() < 3 || scene.surfaces.len() < 3 {
         return None;
     }
     let frames: Vec<&Shown<'_>> = scene.surfaces[1..].iter().collect();

@@ -13,7 +13,7 @@ pub(crate) use axis::digits;
 pub(crate) use svg::Escaped;
 
 use crate::scene::Scene;
-use crate::{Experiment, Finished, Plan};
+use plateau::Results;
 
 /// The names of all pictures there are.
 pub(crate) const PICTURES: [&str; 5] =
@@ -31,19 +31,17 @@ pub(crate) struct Picture {
 
 /// All pictures that an experiment gives rise to, in the order of a report. Those with nothing to show are left out: a
 /// minimal surface has no mean curvature.
-pub(crate) fn pictures(plan: &Plan, finished: &Finished, scene: Option<&Scene<'_>>) -> Vec<Picture> {
+pub(crate) fn pictures(results: &Results, scene: Option<&Scene<'_>>) -> Vec<Picture> {
     let mut pictures = Vec::new();
     if let Some(scene) = scene {
-        pictures.extend(match deformation::frames(finished, scene) {
+        pictures.extend(match deformation::frames(results, scene) {
             Some(frames) => deformation::picture(scene, &frames),
             None => view::picture(scene),
         });
         pictures.extend(map::picture(scene));
     }
-    pictures.extend(convergence::picture(finished));
-    if let (Experiment::Curve(curve), Some(result)) = (&plan.experiment, &finished.curve) {
-        pictures.extend(curvature::picture(curve, result));
-    }
+    pictures.extend(convergence::picture(results));
+    pictures.extend(results.curve.as_ref().and_then(curvature::picture));
     pictures
 }
 

@@ -6,9 +6,9 @@ use serde_spanned::Spanned;
 
 use super::check::{Check, Table, top};
 use super::number::{counted, shown, shown_point};
-use super::{Boundary, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{BoundarySpec, Integer, Key, PointList, Section};
+use plateau::{Boundary, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE};
 
 const SIDES_OF_A_NET: &str = "a tensor boundary has four lists of points: u0 (row i = 0), u1 (row i = m), \
      v0 (column j = 0), v1 (column j = n), with the corners repeated";

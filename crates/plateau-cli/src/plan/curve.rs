@@ -5,15 +5,16 @@ use std::ops::Range;
 use bases::{Aht, At};
 use serde_spanned::Spanned;
 
+use super::Wanted;
 use super::boundary::points;
 use super::check::{Check, Table, top};
 use super::expected::check::Subject;
 use super::helicoid::expectations;
 use super::number::{counted, shown};
 use super::shape::shape_parameters;
-use super::{Curve, CurveBasis, MAX_DEGREE};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{CurveSpec, ExpectSpec, Key, Samples, Section};
+use plateau::{Curve, CurveBasis, MAX_DEGREE};
 
 /// Largest |coordinate| of a point: its square stays finite. Derivatives that do not are told apart when they are computed.
 const LARGEST_COORDINATE: f64 = 1e150;
@@ -37,7 +38,7 @@ pub(super) fn curve(
     check: &mut Check<'_>,
     spec: &Spanned<Section<CurveSpec>>,
     expect: &Key<Section<ExpectSpec>>,
-) -> Option<Curve> {
+) -> Option<(Curve, Wanted)> {
     let table = check.table("[curve]", spec.span(), &top("curve"));
     let spec = spec.get_ref();
     let names =
@@ -64,7 +65,7 @@ pub(super) fn curve(
         None => None,
     };
     let (points, dimension) = control?;
-    Some(Curve { basis: basis?, points, dimension, samples: samples?, expect: expect? })
+    Some((Curve { basis: basis?, points, dimension, samples: samples? }, expect?))
 }
 
 fn basis(check: &mut Check<'_>, table: &Table, spec: &CurveSpec, family: Family) -> Option<CurveBasis> {

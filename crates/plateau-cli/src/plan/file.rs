@@ -13,9 +13,10 @@ use super::helicoid::{helicoid, trapezium};
 use super::memory::fits;
 use super::method::methods;
 use super::search::search;
-use super::{Experiment, Format, LARGEST_MESH, MAX_FILE_SIZE, Output, PatchExperiment, Plan, Search};
+use super::{Experiment, Format, LARGEST_MESH, MAX_FILE_SIZE, Output, PatchExperiment, Plan, Wanted};
 use crate::diagnostic::{Diagnostic, Fault, Refusal};
 use crate::spec::{self, OutputSpec, Reading, Section, Spec};
+use plateau::Search;
 
 const KINDS: &str =
     "an experiment holds one of [boundary] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]";
@@ -44,10 +45,10 @@ impl Plan {
     /// gamma = [0.0, 1.0]
     /// beta = [0.0, 0.0]
     /// "#;
-    /// let plan = plateau::Plan::parse("half-turn.toml", text).unwrap();
+    /// let plan = plateau_cli::Plan::parse("half-turn.toml", text).unwrap();
     /// assert_eq!((plan.stem.as_str(), plan.seed), ("half-turn", 0));
     ///
-    /// let refusal = plateau::Plan::parse("half-turn.toml", &text.replace("span", "spam")).unwrap_err();
+    /// let refusal = plateau_cli::Plan::parse("half-turn.toml", &text.replace("span", "spam")).unwrap_err();
     /// assert!(refusal.to_string().contains("half-turn.toml:4:1"));
     /// assert!(refusal.to_string().contains("did you mean `span`?"));
     /// ```
@@ -151,15 +152,17 @@ fn plan(check: &mut Check<'_>, spec: &Spec, file: &str) -> Option<Plan> {
         None => Some(Output::default()),
     };
     let experiment = experiment(check, spec, &root);
-    if let (Some(experiment), Some(output)) = (&experiment, &output) {
+    if let (Some((experiment, _)), Some(output)) = (&experiment, &output) {
         fits(check, spec, experiment, output.mesh);
     }
+    let (experiment, wanted) = experiment?;
     Some(Plan {
         title: title?,
         seed: seed?,
         stem: stem(file),
         file: file.to_owned(),
-        experiment: experiment?,
+        experiment,
+        wanted,
         output: output?,
         text: check.text.to_owned(),
     })
@@ -226,7 +229,7 @@ fn output(check: &mut Check<'_>, key: &Spanned<Section<OutputSpec>>) -> Option<O
     sound.then_some(output)
 }
 
-fn experiment(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<Experiment> {
+fn experiment(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<(Experiment, Vec<Wanted>)> {
     let headers: Vec<(&str, std::ops::Range<usize>)> = [
         spec.boundary.as_ref().map(|key| ("[boundary]", key.span())),
         spec.helicoid.as_ref().map(|key| ("[helicoid]", key.span())),
@@ -260,15 +263,17 @@ fn experiment(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<Experi
         }
     }
     if let Some(key) = &spec.helicoid {
-        return helicoid(check, key, &spec.expect).map(Experiment::Helicoid);
+        return helicoid(check, key, &spec.expect)
+            .map(|(it, wanted)| (Experiment::Helicoid(it), vec![wanted]));
     }
     if let Some(key) = &spec.trapezium_helicoid {
-        return trapezium(check, key, &spec.expect).map(Experiment::TrapeziumHelicoid);
+        return trapezium(check, key, &spec.expect)
+            .map(|(it, wanted)| (Experiment::TrapeziumHelicoid(it), vec![wanted]));
     }
     if let Some(key) = &spec.curve {
-        return curve(check, key, &spec.expect).map(Experiment::Curve);
+        return curve(check, key, &spec.expect).map(|(it, wanted)| (Experiment::Curve(it), vec![wanted]));
     }
-    patches(check, spec, root).map(Experiment::Patch)
+    patches(check, spec, root).map(|(it, wanted)| (Experiment::Patch(it), wanted))
 }
 
 fn nothing(check: &mut Check<'_>, root: &Table) {
@@ -281,7 +286,7 @@ fn nothing(check: &mut Check<'_>, root: &Table) {
     }
 }
 
-fn patches(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<PatchExperiment> {
+fn patches(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<(PatchExperiment, Vec<Wanted>)> {
     if let Some(key) = &spec.expect {
         let help = "write [method.expect] below the [[method]] it belongs to";
         check.report(
@@ -329,5 +334,7 @@ fn patches(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<PatchExpe
             None
         }
     };
-    Some(PatchExperiment { boundary: sides.boundary?, methods: methods?, search: search? })
+    let (boundary, search) = (sides.boundary?, search?);
+    let (methods, wanted) = methods?.into_iter().unzip();
+    Some((PatchExperiment { boundary, methods, search }, wanted))
 }

@@ -4,12 +4,13 @@ use std::ops::RangeInclusive;
 
 use serde_spanned::Spanned;
 
+use super::Wanted;
 use super::check::{Check, Table, top};
 use super::expected::check::{Subject, expected};
 use super::number::{counted, shown};
-use super::{Deformation, DeformationPath, Expected, Helicoid, MAX_DEGREE, TrapeziumHelicoid};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{ExpectSpec, HelicoidSpec, Key, Number, NumberList, Section, TrapeziumSpec};
+use plateau::{Deformation, DeformationPath, Helicoid, MAX_DEGREE, TrapeziumHelicoid};
 
 /// Largest weight: with cosh u ≤ cosh 100 the squares of area densities stay below overflow.
 const LARGEST_WEIGHT: f64 = 1e30;
@@ -28,7 +29,7 @@ pub(super) fn helicoid(
     check: &mut Check<'_>,
     spec: &Spanned<Section<HelicoidSpec>>,
     expect: &Key<Section<ExpectSpec>>,
-) -> Option<Helicoid> {
+) -> Option<(Helicoid, Wanted)> {
     let table = check.table("[helicoid]", spec.span(), &top("helicoid"));
     let spec = spec.get_ref();
     let a = weight(check, &table, "a", &spec.a);
@@ -59,14 +60,8 @@ pub(super) fn helicoid(
         );
         return None;
     }
-    Some(Helicoid {
-        a: a?,
-        b: b?,
-        u_span: u_span?,
-        v_span: v_span?,
-        deformation: deformation?,
-        expect: expect?,
-    })
+    let helicoid = Helicoid { a: a?, b: b?, u_span: u_span?, v_span: v_span?, deformation: deformation? };
+    Some((helicoid, expect?))
 }
 
 fn weight(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<Number>) -> Option<f64> {
@@ -171,7 +166,7 @@ pub(super) fn trapezium(
     check: &mut Check<'_>,
     spec: &Spanned<Section<TrapeziumSpec>>,
     expect: &Key<Section<ExpectSpec>>,
-) -> Option<TrapeziumHelicoid> {
+) -> Option<(TrapeziumHelicoid, Wanted)> {
     let table = check.table("[trapezium-helicoid]", spec.span(), &top("trapezium-helicoid"));
     let spec = spec.get_ref();
     let piece = surfaces::TrapeziumHelicoid::LARGEST_WHOLE;
@@ -200,7 +195,7 @@ pub(super) fn trapezium(
         );
         return None;
     }
-    Some(TrapeziumHelicoid { span, gamma, beta, expect: expect? })
+    Some((TrapeziumHelicoid { span, gamma, beta }, expect?))
 }
 
 fn pair(check: &mut Check<'_>, table: &Table, name: &str, key: &Key<NumberList>) -> Option<[f64; 2]> {
@@ -227,8 +222,9 @@ pub(super) fn expectations(
     check: &mut Check<'_>,
     key: &Key<Section<ExpectSpec>>,
     subject: Subject,
-) -> Option<Vec<Expected>> {
-    let Some(key) = key else { return Some(Vec::new()) };
+) -> Option<Wanted> {
+    let Some(key) = key else { return Some(Wanted::default()) };
     let table = check.table("[expect]", key.span(), &top("expect"));
-    expected(check, &table, key.get_ref(), subject)
+    let expect = expected(check, &table, key.get_ref(), subject)?;
+    Some(Wanted { expect, published: Vec::new() })
 }

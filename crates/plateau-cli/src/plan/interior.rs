@@ -8,8 +8,8 @@ use super::boundary::Kind;
 use super::check::Check;
 use super::method::{Draft, ENERGIES};
 use super::number::shown;
-use super::{Basis, Boundary, Energy, Interior, MAX_DEGREE, Mask};
 use crate::spec::MaskKey;
+use plateau::{Basis, Boundary, Energy, Interior, MAX_DEGREE, Mask};
 
 const INTERIORS: &str = "say how the interior is found by one of energy = \"dirichlet\" (or \"laplacian\", \"bending\", \
      \"coons\", \"area\"), mask = -0.25, construction = \"discrete-coons\" or \"harmonic\"";

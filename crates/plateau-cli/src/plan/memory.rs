@@ -4,8 +4,9 @@ use serde_spanned::Spanned;
 
 use super::check::Check;
 use super::number::counted;
-use super::{Experiment, Helicoid, LARGEST_MESH, PatchExperiment, SearchMode, Shape};
+use super::{Experiment, LARGEST_MESH, PatchExperiment};
 use crate::spec::Spec;
+use plateau::{Helicoid, SearchMode, Shape};
 
 /// Most vertices in the meshes of all frames of a deformation.
 const MOST_VERTICES_OF_FRAMES: usize = (LARGEST_MESH + 1).pow(2);

@@ -5,12 +5,13 @@ use std::ops::Range;
 
 use serde_spanned::Spanned;
 
+use super::Wanted;
 use super::boundary::{Kind, Sides};
 use super::check::{Check, Table, top};
 use super::expected::check::{Subject, expected, published};
-use super::{Basis, Energy, Interior, Method, Patch, Shape, SolverChoice};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{MethodSpec, Section, Step, shorten};
+use plateau::{Basis, Energy, Interior, Method, Patch, Shape, SolverChoice};
 
 pub(super) const ENERGIES: [(&str, Energy); 5] = [
     ("dirichlet", Energy::Dirichlet),
@@ -25,7 +26,7 @@ pub(super) fn methods(
     check: &mut Check<'_>,
     specs: &Spanned<Vec<Spanned<Section<MethodSpec>>>>,
     sides: &Sides,
-) -> Option<Vec<Method>> {
+) -> Option<Vec<(Method, Wanted)>> {
     let specs = specs.get_ref();
     let mut first_use: HashMap<&str, Range<usize>> = HashMap::new();
     let mut methods = Vec::new();
@@ -61,7 +62,7 @@ fn method(
     index: usize,
     spec: &Spanned<Section<MethodSpec>>,
     sides: &Sides,
-) -> Option<Method> {
+) -> Option<(Method, Wanted)> {
     let path = [top("method"), vec![Step::Index(index)]].concat();
     let called = match &spec.get_ref().name {
         Some(name) if !name.get_ref().0.trim().is_empty() => {
@@ -79,7 +80,7 @@ fn method(
 }
 
 impl Draft<'_> {
-    fn finish(&self, check: &mut Check<'_>) -> Option<Method> {
+    fn finish(&self, check: &mut Check<'_>) -> Option<(Method, Wanted)> {
         let spec = self.spec;
         let name_help = "write name = \"…\": it labels the row of the table";
         let name = check
@@ -116,7 +117,7 @@ impl Draft<'_> {
         if !fits {
             return None;
         }
-        Some(Method {
+        let method = Method {
             name: name?,
             patch: patch?,
             basis: basis?,
@@ -126,9 +127,8 @@ impl Draft<'_> {
             raise: raise?,
             solver: solver?,
             tolerance: tolerance?,
-            expect: expect?,
-            published: published?,
-        })
+        };
+        Some((method, Wanted { expect: expect?, published: published? }))
     }
 
     pub(super) fn clash(

@@ -4,9 +4,9 @@ use serde_spanned::Spanned;
 
 use super::check::{Check, top};
 use super::number::{counted, shown};
-use super::{MAX_SEARCH_BUDGET, Search, Variant};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::spec::{NumberList, SearchSpec, Section};
+use plateau::{MAX_SEARCH_BUDGET, Search, Variant};
 
 /// Ring neighbours on each side, unless said otherwise.
 const NEIGHBOURS: usize = 2;

@@ -5,8 +5,8 @@ use serde_spanned::Spanned;
 use super::check::{Check, Table};
 use super::method::Draft;
 use super::number::{counted, shown};
-use super::{Basis, SearchMode, Shape};
 use crate::spec::{NumberList, SearchKey};
+use plateau::{Basis, SearchMode, Shape};
 
 impl Draft<'_> {
     pub(super) fn shape(&self, check: &mut Check<'_>, basis: Basis) -> Option<Shape> {

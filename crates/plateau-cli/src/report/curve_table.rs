@@ -1,7 +1,7 @@
 //! The table of a curve experiment.
 
 use super::grid::{Column, figure, grid};
-use crate::CurveResult;
+use plateau::CurveResult;
 
 /// Most samples that are listed.
 const LISTED: usize = 12;

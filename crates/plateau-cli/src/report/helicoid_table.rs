@@ -1,10 +1,11 @@
 //! The table of a helicoid experiment.
 
 use super::grid::{Column, figure, grid};
-use crate::run::{Finished, MethodResult};
+use plateau::MethodResult;
+use plateau::Results;
 
 /// One row a surface, with its distance from the closed form.
-pub(crate) fn helicoid_table(finished: &Finished) -> String {
+pub(crate) fn helicoid_table(results: &Results) -> String {
     let number = |heading, unit| Column { heading, unit, is_words: false };
     let columns = [
         Column { heading: "surface", unit: "", is_words: true },
@@ -16,7 +17,7 @@ pub(crate) fn helicoid_table(finished: &Finished) -> String {
         number("deviation", "length"),
         Column { heading: "weights", unit: "a b", is_words: true },
     ];
-    let mut rows: Vec<Vec<String>> = finished.methods.iter().map(row).collect();
+    let mut rows: Vec<Vec<String>> = results.methods.iter().map(row).collect();
     let has_weights = rows.iter().any(|row| !row[7].is_empty());
     let columns = if has_weights { &columns[..] } else { &columns[..7] };
     rows.iter_mut().for_each(|row| row.truncate(columns.len()));

@@ -6,7 +6,7 @@ use super::curve_table::curve_table;
 use super::grid::{Column, figure, grid};
 use super::helicoid_table::helicoid_table;
 use crate::Printable;
-use crate::run::{Done, Finished, MethodResult};
+use plateau::{Done, MethodResult, Results};
 
 const COLUMNS: [Column; 9] = [
     words("method", ""),
@@ -34,17 +34,17 @@ const fn number(heading: &'static str, unit: &'static str) -> Column {
 /// honest: the least Dirichlet energy that the patch's own boundary curves admit, the area's quadrature error, the
 /// conformality gap, and how far the boundary curves lie from the Bernstein curves of the net. Columns that no method
 /// fills are left out.
-pub fn table(finished: &Finished) -> String {
-    let mut text = format!("{}\n\n", Printable(&finished.title));
-    text += &match &finished.curve {
+pub fn table(results: &Results) -> String {
+    let mut text = format!("{}\n\n", Printable(&results.title));
+    text += &match &results.curve {
         Some(curve) => curve_table(curve),
-        None if finished.methods.iter().any(has_closed_form) => helicoid_table(finished),
-        None => patch_table(finished),
+        None if results.methods.iter().any(has_closed_form) => helicoid_table(results),
+        None => patch_table(results),
     };
-    for method in &finished.methods {
+    for method in &results.methods {
         notes(&mut text, method);
     }
-    for warning in &finished.warnings {
+    for warning in &results.warnings {
         let _ = writeln!(text, "note: {}", Printable(warning));
     }
     text
@@ -54,8 +54,8 @@ fn has_closed_form(method: &MethodResult) -> bool {
     method.outcome.as_ref().is_ok_and(|done| done.closed_form.is_some())
 }
 
-fn patch_table(finished: &Finished) -> String {
-    let rows: Vec<[String; 9]> = finished.methods.iter().map(row).collect();
+fn patch_table(results: &Results) -> String {
+    let rows: Vec<[String; 9]> = results.methods.iter().map(row).collect();
     let filled: Vec<usize> =
         (0..COLUMNS.len()).filter(|&k| rows.iter().any(|row| !row[k].is_empty())).collect();
     let columns: Vec<Column> = filled.iter().map(|&k| COLUMNS[k]).collect();
@@ -69,7 +69,7 @@ fn notes(text: &mut String, method: &MethodResult) {
     match &method.outcome {
         Ok(done) => {
             for warning in &done.warnings {
-                let _ = writeln!(text, "note: {name}: {}", Printable(warning));
+                let _ = writeln!(text, "note: {name}: {warning}");
             }
         }
         Err(error) => {
@@ -126,19 +126,6 @@ fn shape(done: &Done) -> String {
         return format!("{:.5} (all four)", shape[0]);
     }
     shape.map(|x| format!("{x:.5}")).join(" ")
-}
-
-/// The bounds a polish ended at, as `result.json` lists them.
-pub(crate) fn active_bounds(polished: &optim::Polished) -> Vec<&'static str> {
-    polished
-        .active
-        .iter()
-        .map(|bound| match bound {
-            optim::Bound::Lower => "lower",
-            optim::Bound::Free => "free",
-            optim::Bound::Upper => "upper",
-        })
-        .collect()
 }
 
 #[cfg(test)]

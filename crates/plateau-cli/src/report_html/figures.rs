@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use crate::picture::{Escaped, digits};
-use crate::{CurveResult, Finished, MethodResult, Quantity};
+use plateau::Results;
+use plateau::{CurveResult, MethodResult, Quantity};
 
 /// Most rows of a table.
 const ROWS: usize = 200;
@@ -47,8 +48,8 @@ fn shape(method: &MethodResult) -> Option<String> {
 }
 
 /// One row a method; columns nobody fills are left out.
-pub(super) fn methods(finished: &Finished) -> String {
-    let rows: Vec<(&MethodResult, Vec<Option<String>>)> = finished
+pub(super) fn methods(results: &Results) -> String {
+    let rows: Vec<(&MethodResult, Vec<Option<String>>)> = results
         .methods
         .iter()
         .take(ROWS)
@@ -80,7 +81,7 @@ pub(super) fn methods(finished: &Finished) -> String {
         html += "</tr>\n";
     }
     html += "</tbody></table></div>\n";
-    left_out(&mut html, finished.methods.len());
+    left_out(&mut html, results.methods.len());
     html
 }
 
@@ -109,59 +110,64 @@ pub(super) fn curve(curve: &CurveResult) -> String {
     html
 }
 
-/// What the file expects and what was printed elsewhere, beside ours; empty if there is nothing.
-pub(super) fn comparisons(finished: &Finished) -> String {
-    let mut rows = String::new();
-    let mut count = 0;
-    for (name, expected, ours) in finished.comparisons() {
-        count += 1;
-        if count <= ROWS {
-            let met = ours.is_some_and(|ours| expected.is_met_by(ours));
-            let (class, verdict) = if met { ("good", "met") } else { ("bad", "missed") };
-            let _ = writeln!(
-                rows,
-                "<tr><td>{}</td><td class=\"words\">{}</td><td>{}</td><td>{}</td><td class=\"words {class}\">{verdict}</td></tr>",
-                Escaped(name),
-                expected.quantity,
-                Escaped(&expected.text),
-                ours.map_or("none".into(), |x| digits(x, 9)),
-            );
-        }
+/// A number that is wanted of the results, beside ours.
+pub(crate) struct Comparison<'a> {
+    /// The row of the results.
+    pub(crate) name: &'a str,
+    /// Which figure.
+    pub(crate) quantity: Quantity,
+    /// The number as it was written.
+    pub(crate) text: &'a str,
+    /// Ours; none if there is no such figure.
+    pub(crate) ours: Option<f64>,
+    /// What comes of it.
+    pub(crate) verdict: Verdict,
+}
+
+/// How a number compares with ours.
+pub(crate) enum Verdict {
+    /// It was expected and is met.
+    Met,
+    /// It was expected and is not met.
+    Missed,
+    /// It was printed elsewhere; where, and why ours differs.
+    Printed(String),
+}
+
+/// What is expected and what was printed elsewhere, beside ours; empty if there is nothing.
+pub(super) fn comparisons(comparisons: &[Comparison<'_>]) -> String {
+    if comparisons.is_empty() {
+        return String::new();
     }
-    for method in &finished.methods {
-        for published in &method.published {
-            count += 1;
-            if count <= ROWS {
-                let mut source = format!("printed in {}", published.source);
-                if let Some(reason) = &published.reason {
-                    source += &format!(" ({reason})");
-                }
-                let _ = writeln!(
-                    rows,
-                    "<tr><td>{}</td><td class=\"words\">{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
-                    Escaped(&method.name),
-                    published.quantity,
-                    Escaped(&published.text),
-                    method.figure(published.quantity).map_or("none".into(), |x| digits(x, 9)),
-                    Escaped(&source),
-                );
-            }
-        }
-    }
-    if count == 0 {
-        return rows;
-    }
-    let missed = finished.missed().len();
-    let open = if count <= OPEN || missed > 0 { " open" } else { "" };
-    let expected = finished.expected();
+    let count = |wanted: fn(&Verdict) -> bool| comparisons.iter().filter(|c| wanted(&c.verdict)).count();
+    let met = count(|verdict| matches!(verdict, Verdict::Met));
+    let missed = count(|verdict| matches!(verdict, Verdict::Missed));
+    let open = if comparisons.len() <= OPEN || missed > 0 { " open" } else { "" };
     let mut html = format!(
-        "<details{open}><summary>Expected numbers: {} of {expected} met</summary>\n\
+        "<details{open}><summary>Expected numbers: {met} of {} met</summary>\n\
          <div class=\"wide\"><table><thead><tr><th scope=\"col\">method</th><th scope=\"col\" class=\"words\">figure</th>\
          <th scope=\"col\">expected</th><th scope=\"col\">ours</th><th scope=\"col\" class=\"words\">verdict</th></tr></thead>\
-         <tbody>\n{rows}</tbody></table></div>\n",
-        expected - missed
+         <tbody>\n",
+        met + missed
     );
-    left_out(&mut html, count);
+    for c in comparisons.iter().take(ROWS) {
+        let (class, verdict) = match &c.verdict {
+            Verdict::Met => (" good", "met"),
+            Verdict::Missed => (" bad", "missed"),
+            Verdict::Printed(source) => ("", source.as_str()),
+        };
+        let _ = writeln!(
+            html,
+            "<tr><td>{}</td><td class=\"words\">{}</td><td>{}</td><td>{}</td><td class=\"words{class}\">{}</td></tr>",
+            Escaped(c.name),
+            c.quantity,
+            Escaped(c.text),
+            c.ours.map_or("none".into(), |x| digits(x, 9)),
+            Escaped(verdict),
+        );
+    }
+    html += "</tbody></table></div>\n";
+    left_out(&mut html, comparisons.len());
     html + "</details>\n"
 }
 

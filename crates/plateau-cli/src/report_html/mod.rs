@@ -8,7 +8,9 @@ use std::fmt::Write;
 
 use crate::picture::{Escaped, Picture};
 use crate::scene::Scene;
-use crate::{Finished, Plan};
+use plateau::Results;
+
+pub(crate) use figures::{Comparison, Verdict};
 
 const STYLE: &str = include_str!("../../web/report.css");
 const VIEWER: &str = include_str!("../../web/viewer.js");
@@ -19,17 +21,31 @@ const SHOWN: usize = 64 * 1024;
 /// Most notes that are shown.
 const NOTES: usize = 100;
 
+/// What the page says beside the results.
+pub(crate) struct About<'a> {
+    /// The name of the experiment file.
+    pub(crate) file: &'a str,
+    /// Its text.
+    pub(crate) text: &'a str,
+    /// The seed used.
+    pub(crate) seed: u64,
+    /// Numbers that are wanted of the results.
+    pub(crate) comparisons: Vec<Comparison<'a>>,
+    /// What the numbers depend on: names and values.
+    pub(crate) origin: Vec<(&'static str, String)>,
+}
+
 /// The whole page.
 pub(crate) fn page(
-    plan: &Plan,
-    finished: &Finished,
+    results: &Results,
+    about: &About<'_>,
     scene: Option<&Scene<'_>>,
     pictures: &[Picture],
 ) -> String {
-    let title = Escaped(&finished.title);
+    let title = Escaped(&results.title);
     let mut body = String::new();
     body += &view(scene);
-    body += &section("Figures", &(figures_of(finished) + &notes(finished)));
+    body += &section("Figures", &(figures_of(results) + &notes(results)));
     let mut drawn = String::new();
     for picture in pictures {
         let (svg, caption) = (&picture.svg, Escaped(&picture.caption));
@@ -41,15 +57,15 @@ pub(crate) fn page(
     if !drawn.is_empty() {
         body += &section("Pictures", &drawn);
     }
-    let comparisons = figures::comparisons(finished);
+    let comparisons = figures::comparisons(&about.comparisons);
     if !comparisons.is_empty() {
         let _ = writeln!(body, "<section>{comparisons}</section>");
     }
-    body += &experiment_file(plan);
-    body += &section("Origin", &origin(finished));
+    body += &experiment_file(about.text);
+    body += &section("Origin", &origin(results, about));
     // Nothing is ever loaded: the policy makes the browser hold us to it.
     let policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
-    let (file, seed) = (Escaped(&finished.manifest.file), finished.seed);
+    let (file, seed) = (Escaped(about.file), about.seed);
     let surfaces = data::json(scene);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -99,20 +115,20 @@ fn view(scene: Option<&Scene<'_>>) -> String {
     )
 }
 
-fn figures_of(finished: &Finished) -> String {
-    match &finished.curve {
+fn figures_of(results: &Results) -> String {
+    match &results.curve {
         Some(curve) => figures::curve(curve),
-        None => figures::methods(finished),
+        None => figures::methods(results),
     }
 }
 
 /// What a reader must know.
-fn notes(finished: &Finished) -> String {
-    let of_methods = finished.methods.iter().flat_map(|method| {
+fn notes(results: &Results) -> String {
+    let of_methods = results.methods.iter().flat_map(|method| {
         let warnings = method.outcome.iter().flat_map(|done| &done.warnings);
         warnings.map(|warning| format!("{}: {warning}", method.name))
     });
-    let notes: Vec<String> = of_methods.chain(finished.warnings.iter().cloned()).collect();
+    let notes: Vec<String> = of_methods.chain(results.warnings.iter().cloned()).collect();
     if notes.is_empty() {
         return String::new();
     }
@@ -126,8 +142,7 @@ fn notes(finished: &Finished) -> String {
     html + "</ul>\n"
 }
 
-fn experiment_file(plan: &Plan) -> String {
-    let text = &plan.text;
+fn experiment_file(text: &str) -> String {
     let end = text.floor_char_boundary(SHOWN);
     let rest = match text.len() - end {
         0 => String::new(),
@@ -140,27 +155,14 @@ fn experiment_file(plan: &Plan) -> String {
 }
 
 /// What the numbers depend on.
-fn origin(finished: &Finished) -> String {
-    let searches: BTreeSet<String> = finished
+fn origin(results: &Results, about: &About<'_>) -> String {
+    let searches: BTreeSet<String> = results
         .methods
         .iter()
         .filter_map(|method| method.outcome.as_ref().ok()?.solved.search.as_ref())
         .map(|search| format!("{} evaluation, {} arithmetic", search.engine, search.arithmetic))
         .collect();
-    let (manifest, origin) = (&finished.manifest, &finished.manifest.origin);
-    let mut entries = vec![("program", format!("plateau {}", origin.version))];
-    let built = [
-        ("revision", &origin.revision),
-        ("compiler", &origin.toolchain),
-        ("SHA-256 of Cargo.lock", &origin.lockfile_sha256),
-    ];
-    entries.extend(built.into_iter().filter_map(|(name, value)| Some((name, value.clone()?))));
-    entries.extend([
-        ("experiment file", manifest.file.clone()),
-        ("its SHA-256", manifest.sha256.clone()),
-        ("seed", manifest.seed.to_string()),
-        ("machine", [std::slice::from_ref(&origin.machine), &origin.cpu_features].concat().join(" ")),
-    ]);
+    let mut entries = about.origin.clone();
     if !searches.is_empty() {
         entries.push(("searches", searches.into_iter().collect::<Vec<_>>().join("; ")));
     }

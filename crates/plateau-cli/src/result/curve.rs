@@ -1,6 +1,6 @@
 use serde::Serialize;
 
-use crate::CurveResult;
+use plateau::CurveResult;
 
 /// A sampled curve; every list has one row per sample.
 #[derive(Debug, Clone, Serialize)]

@@ -55,7 +55,7 @@ fn face_normals(sample: &Sample) -> Vec<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Surface;
+    use plateau::Surface;
     use surfaces::{TriangleNet, TrianglePatch};
 
     fn direction(corners: [[f64; 3]; 3]) -> Direction {

@@ -1,6 +1,6 @@
 use surfaces::{Net, Point};
 
-use crate::Surface;
+use plateau::Surface;
 
 /// Most control points that are drawn; a denser net would hide its surface.
 const MOST: usize = 1000;

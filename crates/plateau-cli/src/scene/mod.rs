@@ -12,8 +12,8 @@ pub(crate) use control_net::ControlNet;
 pub(crate) use field::Field;
 pub(crate) use sample::Sample;
 
-use crate::Finished;
-use crate::run::Done;
+use plateau::Done;
+use plateau::Results;
 
 /// Most surfaces that are shown; of more, the first and then evenly chosen ones.
 const MOST: usize = 24;
@@ -83,8 +83,8 @@ fn corners<'p>(points: impl Iterator<Item = &'p Point>) -> Option<[Point; 2]> {
 
 impl<'a> Scene<'a> {
     /// The scene of an experiment; none if it has no surface with finite points.
-    pub(crate) fn of(finished: &'a Finished) -> Option<Self> {
-        let done: Vec<(&str, &Done)> = finished
+    pub(crate) fn of(results: &'a Results) -> Option<Self> {
+        let done: Vec<(&str, &Done)> = results
             .methods
             .iter()
             .filter_map(|method| Some((method.name.as_str(), method.outcome.as_deref().ok()?)))

@@ -1,7 +1,7 @@
 use surfaces::{Domain, Jet, Point};
 
 use super::Field;
-use crate::Surface;
+use plateau::Surface;
 
 /// Subdivisions of a side where the budget allows.
 const FINE: usize = 48;

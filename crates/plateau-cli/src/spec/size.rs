@@ -7,7 +7,7 @@ use toml_parser::Source;
 use toml_parser::lexer::{Token, TokenKind};
 
 use crate::diagnostic::{Diagnostic, Fault};
-use crate::plan::{MAX_KEYS, MAX_TOKENS};
+use crate::limits::{MAX_KEYS, MAX_TOKENS};
 
 /// Refuses a text with more keys or more tokens than are admitted, at the first that is too many.
 pub(super) fn beyond(text: &str) -> Option<Diagnostic> {

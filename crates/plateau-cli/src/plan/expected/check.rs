@@ -4,12 +4,12 @@ use std::ops::Range;
 
 use serde_spanned::Spanned;
 
-use super::{Expected, Published, Quantity};
+use super::{Expected, Published};
 use crate::diagnostic::{Diagnostic, Fault, position};
 use crate::plan::check::{Check, Table, top};
 use crate::plan::number::{counted, half_unit_of_last_digit, shown};
-use crate::plan::{Patch, Shape};
 use crate::spec::{self, ExpectSpec, ExpectValue, Key, Number, PublishedSpec, Section, Step, TolerancedSpec};
+use plateau::{Patch, Quantity, Shape};
 
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]

@@ -3,20 +3,58 @@
 use rayon::prelude::*;
 use surfaces::{Mesh, Patch, Pieces, SurfaceError};
 
-use crate::run::{Done, MethodResult};
 use crate::{
-    ClosedForm, Expected, Family, Figures, Helicoid, MethodError, Progress, Quantity, Solved, Surface,
-    TrapeziumHelicoid,
+    ClosedForm, Done, Family, Figures, MethodError, MethodResult, Progress, Search, Solved, Surface, Warning,
+    trust,
 };
+
+pub use surfaces::DeformationPath;
+
+/// The generalized helicoid `x = a sinh u cos v − b cosh u sin v`, `y = a sinh u sin v + b cosh u cos v`,
+/// `z = a v + b u` over `[0, u_span] × [0, v_span]` (AHT, with the chart of spec §7).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Helicoid {
+    /// Weight of the right helicoid; finite, |a| ≤ 1e30; a and b are not both zero.
+    pub a: f64,
+    /// Weight of the catenoid; finite, |b| ≤ 1e30.
+    pub b: f64,
+    /// Length of the u interval, in [1e-6, 100]. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
+    pub u_span: f64,
+    /// Length of the v interval, in [1e-6, 1000]. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
+    pub v_span: f64,
+    /// The deformation from (a, b) = (1, 0) to (0, 1).
+    pub deformation: Option<Deformation>,
+}
+
+/// A family of helicoids from (a, b) = (1, 0), the right helicoid, to (0, 1), the catenoid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Deformation {
+    /// Number of frames, both ends included, in 2..=1000.
+    pub frames: usize,
+    /// How (a, b) moves with λ ∈ [0, 1]; [`DeformationPath::Trigonometric`] is an isometric bending.
+    pub path: DeformationPath,
+}
+
+/// The right helicoid `(w cos v, w sin v, v)` over the trapezium `0 ≤ v ≤ span`,
+/// `γ0 + β0 v ≤ w ≤ γ1 + β1 v` (AT, with the corrections of spec §7).
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrapeziumHelicoid {
+    /// Length α of the v interval, in [1e-6, 1000]. May exceed 2π: then several patches are needed.
+    pub span: f64,
+    /// Offsets (γ0, γ1) of the two sides.
+    pub gamma: [f64; 2],
+    /// Slopes (β0, β1) of the two sides, which do not cross inside (0, span).
+    pub beta: [f64; 2],
+}
 
 /// Share of the bound of a basis beyond which control points of a single patch lose digits.
 const BESIDE_THE_BOUND: f64 = 0.95;
 
 /// The helicoid (a, b), then the frames of the deformation, if there is one. A surface that fails takes none of the others
 /// with it.
-pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -> Vec<MethodResult> {
+pub fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -> Vec<MethodResult> {
     let (u, v) = (plan.u_span, plan.v_span);
-    let spans = || -> Vec<String> {
+    let spans = || -> Vec<Warning> {
         let bound = bases::Aht::SUPREMUM;
         let piece = [surfaces::Helicoid::LARGEST_WHOLE, surfaces::Helicoid::LARGEST_PIECE];
         [("u-span", u), ("v-span", v)]
@@ -35,10 +73,9 @@ pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -
             spans(),
         )
     };
-    let mut surfaces = vec![result("helicoid".into(), exact(), plan.expect.clone())];
-    let Some(crate::Deformation { frames, path }) = plan.deformation else { return surfaces };
+    let mut surfaces = vec![result("helicoid".into(), exact())];
+    let Some(Deformation { frames, path }) = plan.deformation else { return surfaces };
 
-    let shared: Vec<Expected> = plan.expect.iter().filter(|e| is_shared(e.quantity)).cloned().collect();
     let digits = frames.to_string().len();
     let named = |k: usize| format!("frame {:0digits$} of {frames}", k + 1);
     progress.begin("deformation", Some(frames as u64));
@@ -58,12 +95,12 @@ pub(crate) fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -
     };
     let done: Vec<_> = (0..frames).into_par_iter().map(frame).collect();
     progress.end();
-    surfaces.extend(done.into_iter().enumerate().map(|(k, done)| result(named(k), done, shared.clone())));
+    surfaces.extend(done.into_iter().enumerate().map(|(k, done)| result(named(k), done)));
     surfaces
 }
 
 /// The helicoid over a trapezium.
-pub(crate) fn trapezium(plan: &TrapeziumHelicoid, mesh: usize) -> MethodResult {
+pub fn trapezium(plan: &TrapeziumHelicoid, mesh: usize) -> MethodResult {
     let exact = || -> Result<Done, MethodError> {
         let helicoid = surfaces::TrapeziumHelicoid::new(plan.span, plan.gamma, plan.beta)?;
         let bound = bases::At::SUPREMUM;
@@ -77,22 +114,11 @@ pub(crate) fn trapezium(plan: &TrapeziumHelicoid, mesh: usize) -> MethodResult {
             warnings,
         )
     };
-    result("trapezium helicoid".into(), exact(), plan.expect.clone())
+    result("trapezium helicoid".into(), exact())
 }
 
-/// Whether a figure is the same for all surfaces of a deformation: then it is expected of every frame.
-fn is_shared(quantity: Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::Deviation
-            | Quantity::ConformalityGap
-            | Quantity::MeanCurvatureMax
-            | Quantity::MeanCurvatureRms
-    )
-}
-
-fn result(name: String, outcome: Result<Done, MethodError>, expect: Vec<Expected>) -> MethodResult {
-    MethodResult { name, outcome: outcome.map(Box::new), expect, published: Vec::new() }
+fn result(name: String, outcome: Result<Done, MethodError>) -> MethodResult {
+    MethodResult { name, outcome: outcome.map(Box::new) }
 }
 
 fn finish(
@@ -100,32 +126,29 @@ fn finish(
     subdivisions: usize,
     weights: Option<[f64; 2]>,
     deviation: impl Fn(&dyn Patch) -> f64,
-    mut warnings: Vec<String>,
+    mut warnings: Vec<Warning>,
 ) -> Result<Done, MethodError> {
     let closed_form = Some(ClosedForm { deviation: deviation(&pieces), weights });
     let mesh = Mesh::of(&pieces, subdivisions);
     let figures = Figures::of(&pieces, &mesh)?;
     let surface = Surface::Pieces(pieces);
     let solved = Solved { surface, family, shape: None, solve: None, area: None, search: None };
-    warnings.extend(crate::report::warnings(&solved, &figures, &crate::Search::default()));
+    warnings.extend(trust::warnings(&solved, &figures, &Search::default()));
     Ok(Done { solved, mesh, figures, boundary: None, closed_form, warnings })
 }
 
 /// What is to be said of an interval that one patch holds badly or not at all.
-fn span_warning(name: &str, span: f64, bound: f64, [whole, piece]: [f64; 2], basis: &str) -> Option<String> {
+fn span_warning(
+    name: &'static str,
+    span: f64,
+    bound: f64,
+    [whole, piece]: [f64; 2],
+    basis: &'static str,
+) -> Option<Warning> {
     if span > whole {
-        let count = (span / piece).ceil();
-        return Some(format!(
-            "{name} = {span} is cut into {count} equal parts: one patch holds spans below {bound:.4}, the bound of the {basis} basis"
-        ));
+        return Some(Warning::SpanCut { name, span, pieces: (span / piece).ceil(), bound, basis });
     }
-    let share = 100.0 * (1.0 - span / bound);
-    (span > BESIDE_THE_BOUND * bound).then(|| {
-        format!(
-            "{name} = {span} lies within {share:.1} % of the bound {bound:.4} of the {basis} basis: the control points grow \
-             and lose digits"
-        )
-    })
+    (span > BESIDE_THE_BOUND * bound).then_some(Warning::SpanNearBound { name, span, bound, basis })
 }
 
 #[cfg(test)]
@@ -137,7 +160,7 @@ mod tests {
         let warning = |span| span_warning("v-span", span, 10.0, [9.9, 9.0], "AHT");
         assert_eq!(warning(9.5), None);
         let says = |span: f64, words: &str| {
-            let text = warning(span).unwrap();
+            let text = warning(span).unwrap().to_string();
             assert!(text.contains(words), "{text}");
         };
         says(9.6, "within 4.0 % of the bound");

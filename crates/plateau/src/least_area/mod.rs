@@ -1,5 +1,6 @@
 //! The control net of least area with its border fixed.
 
+mod reason;
 mod space;
 #[cfg(test)]
 mod tests;
@@ -10,8 +11,7 @@ use energy::{EnergyError, Integral, NormalVariation};
 use solve::{NewtonEnd, NewtonParams, NewtonReport, SmoothFunction, newton, smallest_relative_eigenvalue};
 use surfaces::{TensorPatch, TrianglePatch};
 
-use super::MethodError;
-use crate::Progress;
+use crate::{MethodError, Progress};
 use space::{Area, Product, Space, Sums, Triangle};
 
 /// What is known of a net of least area.

@@ -3,7 +3,7 @@
 use solve::{Partition, Triplet, solve_sparse};
 use surfaces::MaskSystem;
 
-use super::{MethodError, SolveFigures};
+use crate::{MethodError, SolveFigures};
 
 /// The coordinates of a net with the free ones solved for: `A_f P_f = −A_b P_b`.
 pub(super) fn solve(

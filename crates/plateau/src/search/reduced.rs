@@ -8,9 +8,9 @@ use solve::{
 };
 use surfaces::Net;
 
-use super::area_search::LeastArea;
-use super::{MethodError, extremal_energy, functional, prefers_separable};
-use crate::{Arithmetic, Energy, Method, Patch, Progress, SolverChoice};
+use super::least_area::LeastArea;
+use crate::interior::extremal::prefers_separable;
+use crate::{Arithmetic, Energy, Method, MethodError, Patch, Progress, SolverChoice};
 
 /// J of a method over a net; the gradient comes with the solve, by the envelope theorem.
 pub(super) enum Reduced<'a> {
@@ -29,12 +29,12 @@ impl<'a> Reduced<'a> {
         arithmetic: Arithmetic,
         progress: &'a dyn Progress,
     ) -> Result<Self, MethodError> {
-        if extremal_energy(method).is_some_and(|energy| energy != method.search_energy) {
+        if method.extremal_energy().is_some_and(|energy| energy != method.search_energy) {
             return Err(MethodError::Unavailable {
                 what: "a search-energy other than the energy whose extremal is taken",
             });
         }
-        let Some(energy) = functional(method.search_energy) else {
+        let Some(energy) = method.search_energy.functional() else {
             return Ok(Self::Area(Box::new(LeastArea::new(net, method, progress)?)));
         };
         let (m, n) = net.degrees();

@@ -8,8 +8,8 @@ use energy::area_derivative;
 use optim::{Objective, Smooth};
 use surfaces::{Net, Product, TensorPatch, bernstein_less_blend};
 
-use super::{MethodError, area, with_shape};
-use crate::{Method, Patch, Progress};
+use crate::interior::with_shape;
+use crate::{Method, MethodError, Patch, Progress, least_area};
 
 /// `A(α)`, the area of the area extremal at shape α; its gradient is the partial derivative of the area by the shape, the net
 /// held (the envelope theorem).
@@ -58,7 +58,7 @@ impl<'a> LeastArea<'a> {
     /// The extremal at one shape and its area.
     fn extremal(&self, shape: [f64; 4]) -> Result<(TensorPatch, energy::Integral), MethodError> {
         let patch = with_shape(self.net.clone(), &self.method, Some(shape))?;
-        let found = area::least_area(&patch, self.method.tolerance, &self.watch);
+        let found = least_area(&patch, self.method.tolerance, &self.watch);
         self.watch.end();
         let (patch, found) = found?;
         Ok((patch, found.area))

@@ -3,8 +3,7 @@
 use solve::solve_rank;
 use surfaces::{Net, Point, Relation, harmonic_relations};
 
-use super::{MethodError, SolveFigures};
-use crate::Boundary;
+use crate::{Boundary, MethodError, SolveFigures};
 
 /// Singular values below this fraction of the largest count as zero: far below those of solvable systems, far above
 /// rounding.

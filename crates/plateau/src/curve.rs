@@ -1,13 +1,60 @@
-//! Curve experiments: a curve sampled with its derivatives and its curvature.
+//! A curve sampled with its derivatives and its curvature.
 
 use std::sync::Arc;
 
 use bases::{Aht, At, Basis, Bernstein, GaussLegendre, Gt, Matrix};
 use surfaces::{CurveJet, Point};
 
-use crate::{Curve, CurveBasis, Expected, MethodError, Output, Quantity};
+use crate::{MethodError, Quantity, Warning};
 
-/// A curve that was sampled. All lists have one entry per sample, in the order of the file.
+/// One planar or space curve with control points, and the parameters at which it is sampled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// The basis of the control points.
+    pub basis: CurveBasis,
+    /// Control points: at least 2 (Bernstein), at least 3 (GT), exactly 6 (AHT, AT); at most
+    /// [`MAX_DEGREE`](crate::MAX_DEGREE) + 1. Planar points carry z = 0.
+    pub points: Vec<[f64; 3]>,
+    /// Coordinates of a point: 2 (signed curvature) or 3.
+    pub dimension: usize,
+    /// Parameters of the samples, inside [`CurveBasis::domain`]. Never empty.
+    pub samples: Vec<f64>,
+}
+
+/// The basis of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CurveBasis {
+    /// Bernstein polynomials on [0, 1].
+    Bernstein,
+    /// GT functions on [0, 1] (GT).
+    Gt {
+        /// Shape parameters (θ1, θ2), each in [0, 4], not both zero.
+        shape: [f64; 2],
+    },
+    /// Algebraic–hyperbolic–trigonometric functions of order 6 on [0, span] (AHT).
+    Aht {
+        /// Right end of the domain, below `bases::Aht::SUPREMUM`.
+        span: f64,
+    },
+    /// Algebraic–trigonometric functions of order 6 on [0, span] (AT).
+    At {
+        /// Right end of the domain, below `bases::At::SUPREMUM`, 2π.
+        span: f64,
+    },
+}
+
+impl CurveBasis {
+    /// The interval on which the basis lives.
+    #[must_use]
+    pub fn domain(&self) -> [f64; 2] {
+        match *self {
+            Self::Bernstein | Self::Gt { .. } => [0.0, 1.0],
+            Self::Aht { span } | Self::At { span } => [0.0, span],
+        }
+    }
+}
+
+/// A curve that was sampled. All lists have one entry per sample.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct CurveResult {
@@ -26,16 +73,16 @@ pub struct CurveResult {
     pub dimension: usize,
     /// Length of the curve, and the error believed.
     pub length: [f64; 2],
-    /// Numbers the file expects.
-    pub expect: Vec<Expected>,
+    /// The curve that was sampled.
+    pub curve: Curve,
 }
 
-/// Samples the curve of a plan.
+/// Samples a curve.
 ///
 /// # Errors
-/// [`MethodError::Surface`], [`MethodError::Basis`] for what the plan could not know; [`MethodError::Overflow`] for
+/// [`MethodError::Surface`], [`MethodError::Basis`] for points or a basis that make no curve; [`MethodError::Overflow`] for
 /// derivatives beyond double precision.
-pub(crate) fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
+pub fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
     let basis = family(plan)?;
     let points: Vec<Point> = plan.points.iter().copied().map(Point::from).collect();
     let curve = surfaces::Curve::new(basis.clone(), points)?;
@@ -47,7 +94,7 @@ pub(crate) fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
         curvature: Vec::with_capacity(plan.samples.len()),
         dimension: plan.dimension,
         length: length(&curve)?,
-        expect: plan.expect.clone(),
+        curve: plan.clone(),
     };
     for &t in &plan.samples {
         let (table, jet) = (basis.evaluate(t, 2), curve.jet(t));
@@ -132,52 +179,33 @@ impl CurveResult {
     }
 
     /// The coordinates the curve has.
-    pub(crate) fn coordinates(&self, p: Point) -> Vec<f64> {
+    pub fn coordinates(&self, p: Point) -> Vec<f64> {
         let mut all = Vec::from(<[f64; 3]>::from(p));
         all.truncate(self.dimension);
         all
     }
 
     /// What a reader must know.
-    pub(crate) fn warnings(&self, plan: &Curve, output: &Output) -> Vec<String> {
+    pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        if !output.formats.is_empty() {
-            let names: Vec<String> = output.formats.iter().map(ToString::to_string).collect();
-            warnings.push(format!("a curve has no mesh: nothing is written as {}", names.join(", ")));
-        }
-        let singular: Vec<String> = (0..self.t.len())
-            .filter(|&k| self.curvature[k].is_none())
-            .map(|k| self.t[k].to_string())
-            .collect();
+        let singular: Vec<f64> =
+            (0..self.t.len()).filter(|&k| self.curvature[k].is_none()).map(|k| self.t[k]).collect();
         if !singular.is_empty() {
-            let shown = singular.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
-            let more =
-                if singular.len() > 5 { format!(" and {} more", singular.len() - 5) } else { String::new() };
-            warnings.push(format!(
-                "the tangent vanishes at t = {shown}{more}: there is no curvature there, and result.json has no list \
-                 of them; curve.csv has those of the other samples"
-            ));
+            warnings.push(Warning::CurveSingular { at: singular });
         }
-        let bound = match plan.basis {
+        let bound = match self.curve.basis {
             CurveBasis::Aht { span } => Some((span, Aht::SUPREMUM, "AHT")),
             CurveBasis::At { span } => Some((span, At::SUPREMUM, "AT")),
-            _ => None,
+            CurveBasis::Bernstein | CurveBasis::Gt { .. } => None,
         };
         if let Some((span, bound, basis)) = bound
             && span > 0.95 * bound
         {
-            let share = 100.0 * (1.0 - span / bound);
-            let share = if share < 0.01 { format!("{share:.0e}") } else { format!("{share:.2}") };
-            warnings.push(format!(
-                "the span lies within {share} % of the bound {bound:.6} of the {basis} basis, where curves lose digits \
-                 and control points grow: cut the curve into two"
-            ));
+            warnings.push(Warning::CurveNearBound { span, bound, basis });
         }
         let [length, error] = self.length;
         if error > 1e-9 * length {
-            warnings.push(format!(
-                "the length has not settled: {length} ± {error:.1e}; the curve may have a cusp"
-            ));
+            warnings.push(Warning::LengthUnsettled { length, error });
         }
         warnings
     }
@@ -186,48 +214,47 @@ impl CurveResult {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Experiment, Plan};
 
-    fn sampled(body: &str) -> Result<CurveResult, MethodError> {
-        let text = format!("title = \"c\"\n[curve]\n{body}");
-        let plan = Plan::parse("c.toml", &text).unwrap_or_else(|refusal| panic!("{}", refusal.render(false)));
-        let Experiment::Curve(curve) = &plan.experiment else { panic!() };
-        sample(curve)
+    fn sampled(basis: CurveBasis, points: &[[f64; 2]], samples: usize) -> Result<CurveResult, MethodError> {
+        let [start, end] = basis.domain();
+        let at = |k: usize| start + (end - start) * (k as f64 / (samples - 1) as f64);
+        sample(&Curve {
+            basis,
+            points: points.iter().map(|&[x, y]| [x, y, 0.0]).collect(),
+            dimension: 2,
+            samples: (0..samples).map(at).collect(),
+        })
     }
 
     #[test]
     fn a_cusp_has_no_curvature_and_the_other_samples_keep_theirs() {
         // (1 − 2t)² and (1 − 2t)³: the cusp is at t = 1/2, far from the origin.
-        let body = "basis = \"bernstein\"\nsamples = [0.25, 0.5, 0.75]\n\
-                    points = [[1001, 101], [1000.3333333333334, 99], [1000.3333333333334, 101], [1001, 99]]";
-        let result = sampled(body).unwrap();
-        assert!(result.curvature[0].is_some() && result.curvature[2].is_some());
-        assert_eq!(result.curvature[1], None, "{:?}", result.jets[1].d1);
+        let third = 1_000.333_333_333_333_4;
+        let points = [[1001.0, 101.0], [third, 99.0], [third, 101.0], [1001.0, 99.0]];
+        let result = sampled(CurveBasis::Bernstein, &points, 5).unwrap();
+        assert!(result.curvature[1].is_some() && result.curvature[3].is_some());
+        assert_eq!(result.curvature[2], None, "{:?}", result.jets[2].d1);
     }
 
     #[test]
     fn a_point_is_no_curve_but_no_panic() {
-        let result = sampled("basis = \"bernstein\"\npoints = [[1, 2], [1, 2]]\nsamples = 2").unwrap();
+        let result = sampled(CurveBasis::Bernstein, &[[1.0, 2.0]; 2], 2).unwrap();
         assert_eq!((result.sharpest(), result.length[0]), (None, 0.0));
     }
 
     #[test]
     fn derivatives_beyond_double_precision_are_an_error() {
-        let points = "points = [[0,0],[1e150,0],[0,1e150],[0,0],[1,1],[2,2]]";
-        let body = format!("basis = \"at\"\nspan = 1e-100\n{points}\nsamples = 3");
-        assert!(matches!(sampled(&body), Err(MethodError::Overflow { .. })));
+        let points = [[0.0, 0.0], [1e150, 0.0], [0.0, 1e150], [0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
+        let found = sampled(CurveBasis::At { span: 1e-100 }, &points, 3);
+        assert!(matches!(found, Err(MethodError::Overflow { .. })));
     }
 
     #[test]
     fn a_circle_has_its_length_and_curvature() {
         let control = std::f64::consts::FRAC_PI_4;
         let (far, high) = (0.378_861_061_722_595_66, 1.273_239_544_735_162_7);
-        let body = format!(
-            "basis = \"at\"\nspan = {}\nsamples = 21\n\
-             points = [[1, 0], [1, {control}], [{far}, {high}], [-{far}, {high}], [-1, {control}], [-1, 0]]",
-            std::f64::consts::PI
-        );
-        let result = sampled(&body).unwrap();
+        let points = [[1.0, 0.0], [1.0, control], [far, high], [-far, high], [-1.0, control], [-1.0, 0.0]];
+        let result = sampled(CurveBasis::At { span: std::f64::consts::PI }, &points, 21).unwrap();
         assert!((result.length[0] - std::f64::consts::PI).abs() < 1e-14);
         assert!(result.curvature.iter().all(|k| (k.unwrap() - 1.0).abs() < 1e-13));
     }

@@ -7,75 +7,8 @@ use rayon::prelude::*;
 use surfaces::Net;
 
 use super::reduced::Reduced;
-use super::{Context, MethodError};
-use crate::{Method, SearchMode, Variant};
-
-/// What a search found.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct SearchOutcome {
-    /// The best shape (α1, α2, β1, β2) of all runs.
-    pub shape: [f64; 4],
-    /// The reduced energy there.
-    pub minimum: f64,
-    /// Evaluations of the reduced energy, those of the polish included.
-    pub evaluations: u64,
-    /// How many of them failed.
-    pub nan_evaluations: u64,
-    /// How it was evaluated: `parametric` from polynomials of the shape, `separable` from samples.
-    pub engine: &'static str,
-    /// Which arithmetic evaluated it: results repeat bit for bit on the same one only.
-    pub arithmetic: &'static str,
-    /// Every run, in order.
-    pub runs: Vec<SearchRun>,
-}
-
-/// One run of a search.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct SearchRun {
-    /// The seed of the experiment.
-    pub seed: u64,
-    /// Index of the run; seed and index determine it.
-    pub index: usize,
-    /// The least energy it found, after the polish if there was one.
-    pub value: f64,
-    /// Where.
-    pub shape: [f64; 4],
-    /// Why it ended.
-    pub reason: String,
-    /// Evaluations of the reduced energy.
-    pub evaluations: u64,
-    /// How many of them failed.
-    pub nan_evaluations: u64,
-    /// The best energy of the swarm after its initialisation and after each iteration.
-    pub history: Vec<f64>,
-    /// The polish of the swarm's best point, or the descent from a start.
-    pub polish: Option<Polished>,
-    pub(crate) on_budget: bool,
-}
-
-impl SearchRun {
-    /// Whether the run ended because its budget was spent, with nothing known of convergence.
-    pub fn stopped_on_budget(&self) -> bool {
-        self.on_budget
-    }
-}
-
-impl SearchRun {
-    /// Whether a polish showed the run's end to be a stationary point of the box, or as near as rounding allows.
-    pub fn is_stationary(&self) -> bool {
-        use optim::PolishReason::{Flat, Stationary};
-        self.polish.as_ref().is_some_and(|p| matches!(p.reason, Stationary | Flat))
-    }
-}
-
-impl SearchOutcome {
-    /// The difference between the worst and the best run.
-    pub fn spread(&self) -> f64 {
-        self.runs.iter().map(|run| run.value - self.minimum).fold(0.0, f64::max)
-    }
-}
+use super::{SearchMode, SearchOutcome, SearchRun, Variant};
+use crate::{Context, Method, MethodError};
 
 /// What all runs of a search share.
 struct Search<'a> {
@@ -88,8 +21,8 @@ struct Search<'a> {
 impl Search<'_> {
     /// Every run that found something, in order, and the evaluations of all.
     fn runs(&self, method: &Method) -> Result<(Vec<SearchRun>, u64), MethodError> {
-        let (options, progress) = (&self.context.experiment.search, self.context.progress);
-        let kept = |k| self.context.checkpoint?.run(self.context.index, k);
+        let (options, progress) = (&self.context.search, self.context.progress);
+        let kept = |k| self.context.keeper.run(self.context.index, k);
         let kept: Vec<Option<SearchRun>> = (0..options.runs).map(kept).collect();
         let ahead = kept.iter().filter(|run| run.is_none()).count() as u64;
         let pso = self.swarm();
@@ -110,9 +43,7 @@ impl Search<'_> {
         };
         let ended: Vec<(u64, Option<SearchRun>)> =
             kept.into_par_iter().enumerate().map(run).collect::<Result<_, MethodError>>()?;
-        if let Some(checkpoint) = self.context.checkpoint {
-            checkpoint.search_ended();
-        }
+        self.context.keeper.search_ended();
         let evaluations = ended.iter().map(|(evaluations, _)| evaluations).sum();
         Ok((ended.into_iter().filter_map(|(_, run)| run).collect(), evaluations))
     }
@@ -135,19 +66,18 @@ impl Search<'_> {
             }
         };
         if self.mode == SearchMode::PsoPolish {
-            run.polish_with(polish.run(self.reduced, self.bounds, &run.shape)?);
+            let polished = polish.run(self.reduced, self.bounds, &run.shape)?;
+            polish_with(&mut run, polished);
         }
         // What was cut short is no finished run.
-        if let Some(checkpoint) = self.context.checkpoint
-            && !self.context.progress.cancelled()
-        {
-            checkpoint.keep(self.context.index, &run);
+        if !self.context.progress.cancelled() {
+            self.context.keeper.keep(self.context.index, &run);
         }
         Ok((run.evaluations, Some(run)))
     }
 
     fn swarm(&self) -> Pso {
-        let options = &self.context.experiment.search;
+        let options = &self.context.search;
         Pso {
             particles: options.particles,
             iterations: options.iterations,
@@ -164,13 +94,13 @@ impl Search<'_> {
 }
 
 /// Searches the shape of `method` over `net`.
-pub(super) fn search(
+pub(crate) fn search(
     net: &Net,
     method: &Method,
     mode: SearchMode,
     context: &Context<'_>,
 ) -> Result<SearchOutcome, MethodError> {
-    let options = &context.experiment.search;
+    let options = &context.search;
     let reduced = Reduced::new(net, method, context.arithmetic, context.progress)?;
     let bounds = Bounds::cube(4, options.lower, options.upper)?;
     let search = Search { reduced: &reduced, bounds: &bounds, mode, context };
@@ -230,15 +160,13 @@ fn from_descent(seed: u64, index: usize, polished: Polished) -> SearchRun {
     }
 }
 
-impl SearchRun {
-    /// Takes the descent from the best point; what the run ended with is then a stationary point, not a spent budget.
-    fn polish_with(&mut self, polished: Polished) {
-        self.evaluations += polished.evaluations as u64;
-        self.value = polished.value;
-        self.shape = shape(&polished.point);
-        self.on_budget = polished.reason == optim::PolishReason::Budget;
-        self.polish = Some(polished);
-    }
+/// Takes the descent from the best point; what the run ended with is then a stationary point, not a spent budget.
+fn polish_with(run: &mut SearchRun, polished: Polished) {
+    run.evaluations += polished.evaluations as u64;
+    run.value = polished.value;
+    run.shape = shape(&polished.point);
+    run.on_budget = polished.reason == optim::PolishReason::Budget;
+    run.polish = Some(polished);
 }
 
 /// Passes the iterations of a swarm on to whoever watches.
@@ -247,9 +175,7 @@ struct Watch<'a>(&'a Context<'a>);
 impl Observer for Watch<'_> {
     fn observe(&self, _: &optim::Progress<'_>) -> ControlFlow<()> {
         self.0.progress.step();
-        if let Some(checkpoint) = self.0.checkpoint {
-            checkpoint.tick();
-        }
+        self.0.keeper.tick();
         if self.0.progress.cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

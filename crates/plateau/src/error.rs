@@ -142,7 +142,7 @@ const HIGH: usize = 10;
 
 impl MethodError {
     /// The error of the system of a mask with this corner weight.
-    pub(super) fn of_mask(self, alpha: f64, degree: usize) -> Self {
+    pub(crate) fn of_mask(self, alpha: f64, degree: usize) -> Self {
         match self {
             Self::Solve(solve::SolveError::Singular { reciprocal_condition, .. }) => {
                 Self::MaskWeight { alpha, degree, reciprocal_condition }
@@ -152,7 +152,7 @@ impl MethodError {
     }
 
     /// The error of the linear system of an extremal of this degree.
-    pub(super) fn of_system(error: solve::SolveError, degree: usize) -> Self {
+    pub(crate) fn of_system(error: solve::SolveError, degree: usize) -> Self {
         match error {
             solve::SolveError::NotPositiveDefinite { order, pivot: Some(pivot), .. } if degree >= HIGH => {
                 Self::Degree { degree, unknowns: order, pivot }

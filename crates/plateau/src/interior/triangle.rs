@@ -4,11 +4,13 @@ use energy::{DenseForm, MetricForm};
 use solve::{Partition, solve_partitioned};
 use surfaces::{Point, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
-use super::{AreaExtremal, MethodError, SolveFigures, area, functional, mask};
-use crate::{Energy, Interior, Mask, Method, Progress};
+use super::mask;
+use crate::{
+    AreaExtremal, Energy, Interior, Mask, Method, MethodError, Progress, SolveFigures, least_area_triangle,
+};
 
 /// Runs one method over the sides `ab`, `bc`, `ca`.
-pub(super) fn solve(
+pub(crate) fn solve(
     method: &Method,
     [ab, bc, ca]: [&[[f64; 3]]; 3],
     progress: &dyn Progress,
@@ -18,7 +20,7 @@ pub(super) fn solve(
     let (patch, figures) = match method.interior {
         Interior::Extremal { energy: Energy::Area, .. } => {
             progress.begin(&format!("least area of {}", method.name), None);
-            let found = area::least_area_triangle(&TrianglePatch::new(net)?, method.tolerance, progress);
+            let found = least_area_triangle(&TrianglePatch::new(net)?, method.tolerance, progress);
             progress.end();
             let (patch, found) = found?;
             return Ok((patch, None, Some(found)));
@@ -41,7 +43,7 @@ fn extremal(
     energy: Energy,
     metric_steps: usize,
 ) -> Result<(TrianglePatch, SolveFigures), MethodError> {
-    let functional = functional(energy).ok_or(MethodError::Unavailable { what: "the area here" })?;
+    let functional = energy.functional().ok_or(MethodError::Unavailable { what: "the area here" })?;
     let (mut patch, mut figures) = minimise(&DenseForm::of_triangle(functional, net.degree())?, &net)?;
     for _ in 0..metric_steps {
         let metric = MetricForm::of_triangle(&patch, net.degree())?;

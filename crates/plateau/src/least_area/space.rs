@@ -5,7 +5,7 @@ use energy::{EnergyError, NormalVariation, ProductArea, SampledArea, TangentSamp
 use solve::{eigen_symmetric, orthonormalise};
 use surfaces::{Jet, Patch, Point, SurfaceError, TensorPatch, TriangleBasis, TriangleNet, TrianglePatch};
 
-use super::MethodError;
+use crate::MethodError;
 
 /// The displacements `Σ_k c_k ψ_k` of patches of one kind and degree, with `∫ ∇ψ_k · ∇ψ_l = δ_kl` over the parameters.
 ///

@@ -3,14 +3,22 @@
 use bases::{Basis, Matrix};
 use energy::{MetricForm, QuadraticForm};
 use solve::{Partition, Samples, Separable, solve_partitioned};
-use surfaces::{Product, TensorPatch};
+use surfaces::{Net, Product, TensorPatch};
 
-use super::{MethodError, SolveFigures, extremal_energy, functional, prefers_separable};
-use crate::{Energy, Interior, Method, SolverChoice};
+use crate::{Energy, Interior, Method, MethodError, SolveFigures, SolverChoice};
+
+/// Degree from which the separable solver is both faster than a dense one and more accurate.
+const SEPARABLE_FROM: usize = 7;
+
+/// Whether the automatic choice is the separable solver, where it applies.
+pub(crate) fn prefers_separable(net: &Net) -> bool {
+    let (m, n) = net.degrees();
+    m.max(n) >= SEPARABLE_FROM
+}
 
 /// `patch` with its free control points at the extremal of the method's energy, then its metric steps (TRI Prop. 5): each
 /// the extremal of the Dirichlet energy in the metric of the patch before.
-pub(super) fn solve(
+pub(crate) fn solve(
     patch: &TensorPatch,
     method: &Method,
 ) -> Result<(TensorPatch, SolveFigures), MethodError> {
@@ -26,8 +34,8 @@ pub(super) fn solve(
 
 /// The extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
 fn by_energy(patch: &TensorPatch, method: &Method) -> Result<(TensorPatch, SolveFigures), MethodError> {
-    let energy = extremal_energy(method).ok_or(MethodError::Unavailable { what: "this construction" })?;
-    let functional = functional(energy).ok_or(MethodError::Unavailable { what: "the area here" })?;
+    let energy = method.extremal_energy().ok_or(MethodError::Unavailable { what: "this construction" })?;
+    let functional = energy.functional().ok_or(MethodError::Unavailable { what: "the area here" })?;
     let net = patch.net();
     if let (Energy::Dirichlet, [product]) = (energy, patch.products()) {
         let chosen = match method.solver {

@@ -1,8 +1,110 @@
 //! What is degenerate about a boundary: the cause of singular, folded or vanishing patches, said before their figures.
 
 use surfaces::Point;
+use thiserror::Error;
 
 use crate::Boundary;
+
+/// What is wrong with a boundary although patches over it exist.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Degeneracy {
+    /// All points are one.
+    #[error(
+        "all points of the boundary coincide at {}: every patch over it is that point, without area and curvature",
+        shown(*at)
+    )]
+    OnePoint {
+        /// The point.
+        at: Point,
+    },
+    /// All points are on one straight line.
+    #[error(
+        "all points of the boundary lie on one straight line: every patch over it is folded onto that line and has no area"
+    )]
+    Straight,
+    /// Small, and far from the origin.
+    #[error(
+        "the boundary is {extent:.1e} across and {distance:.1e} away from the origin: its coordinates have lost {:.0} of \
+         their 16 digits to that distance; move it to the origin",
+        (distance / extent).log10()
+    )]
+    Far {
+        /// Largest distance of a point from the first one.
+        extent: f64,
+        /// Largest distance of a point from the origin.
+        distance: f64,
+    },
+    /// A side without length.
+    #[error("the side `{side}` is one point, {}: every patch over the boundary is singular along it", shown(*at))]
+    PointSide {
+        /// The side.
+        side: &'static str,
+        /// The point.
+        at: Point,
+    },
+    /// Two corners that no side without length joins are one point.
+    #[error("the corners {first} and {second} coincide at {}: patches over the boundary are pinched there", shown(*at))]
+    Pinched {
+        /// One corner.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+        /// The point.
+        at: Point,
+    },
+    /// Two sides are the same curve.
+    #[error(
+        "the sides `{first}` and `{second}` are the same curve: the boundary runs back on itself, and patches over it fold \
+         or touch themselves"
+    )]
+    SameSides {
+        /// One side.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+    },
+    /// The first two control points of a side from a corner are one.
+    #[error(
+        "points {} and {} of `{side}` coincide: every patch over the boundary is singular at the corner {corner}",
+        points[0], points[1]
+    )]
+    NoTangent {
+        /// Indices of the points.
+        points: [usize; 2],
+        /// The side.
+        side: &'static str,
+        /// The corner.
+        corner: &'static str,
+    },
+    /// Two sides meet under 0° or 180°.
+    #[error(
+        "the sides `{}` and `{}` meet at the corner {corner} under {angle}°: every patch over the boundary is singular there",
+        sides[0], sides[1]
+    )]
+    NoAngle {
+        /// The sides.
+        sides: [&'static str; 2],
+        /// The corner.
+        corner: &'static str,
+        /// 0 or 180.
+        angle: u16,
+    },
+    /// A side turns back on itself.
+    #[error("the side `{side}` turns back on itself near {}: patches over it fold there", shown(*at))]
+    TurnsBack {
+        /// The side.
+        side: &'static str,
+        /// Where.
+        at: Point,
+    },
+    /// The boundary lies in a plane and crosses itself.
+    #[error("the boundary is planar and crosses itself near {}: patches over it fold", shown(*at))]
+    Crossed {
+        /// Where.
+        at: Point,
+    },
+}
 
 /// Differences below this share of the largest coordinate are rounding.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -65,7 +167,7 @@ const TRIANGLE: [Corner; 3] =
     [("A", [(0, false), (2, true)]), ("B", [(0, true), (1, false)]), ("C", [(1, true), (2, false)])];
 
 /// The degeneracies of a boundary, the gravest first; none of an ordinary one.
-pub(crate) fn degeneracies(boundary: &Boundary) -> Vec<String> {
+pub fn degeneracies(boundary: &Boundary) -> Vec<Degeneracy> {
     let (sides, corners): (Vec<Side>, &[Corner]) = match boundary {
         Boundary::Tensor { u0, u1, v0, v1 } => {
             let sides = [("u0", u0), ("u1", u1), ("v0", v0), ("v1", v1)];
@@ -85,35 +187,20 @@ pub(crate) fn degeneracies(boundary: &Boundary) -> Vec<String> {
     let (extent, distance) = (farthest.distance(first), all.iter().map(|p| p.norm()).fold(0.0, f64::max));
     let tiny = ROUNDING * distance;
     if extent <= tiny {
-        return vec![format!(
-            "all points of the boundary coincide at {}: every patch over it is that point, without area and curvature",
-            shown(first)
-        )];
+        return vec![Degeneracy::OnePoint { at: first }];
     }
     let along = (farthest - first) * (1.0 / extent);
     if all.iter().all(|&p| (p - first).cross(along).norm() <= tiny) {
-        return vec![
-            "all points of the boundary lie on one straight line: every patch over it is folded onto that line and has no \
-             area"
-                .to_owned(),
-        ];
+        return vec![Degeneracy::Straight];
     }
     let mut found = Vec::new();
     if extent < FAR * distance {
-        found.push(format!(
-            "the boundary is {extent:.1e} across and {distance:.1e} away from the origin: its coordinates have lost {:.0} of \
-             their 16 digits to that distance; move it to the origin",
-            (distance / extent).log10()
-        ));
+        found.push(Degeneracy::Far { extent, distance });
     }
     let mut grave = false;
     for side in sides.iter().filter(|side| side.is_point(tiny)) {
         grave = true;
-        found.push(format!(
-            "the side `{}` is one point, {}: every patch over the boundary is singular along it",
-            side.name,
-            shown(side.points[0])
-        ));
+        found.push(Degeneracy::PointSide { side: side.name, at: side.points[0] });
     }
     grave |= coincident_sides(&sides, tiny, &mut found);
     for (k, (name, ends)) in corners.iter().enumerate() {
@@ -123,7 +210,7 @@ pub(crate) fn degeneracies(boundary: &Boundary) -> Vec<String> {
                 sides.iter().any(|side| side.is_point(tiny) && side.points[0].distance(here) <= tiny);
             if corner_point(&sides, other_ends[0]).distance(here) <= tiny && !joined {
                 grave = true;
-                found.push(format!("the corners {other} and {name} coincide at {}: patches over the boundary are pinched there", shown(here)));
+                found.push(Degeneracy::Pinched { first: other, second: name, at: here });
             }
         }
         if !grave {
@@ -142,7 +229,7 @@ fn corner_point(sides: &[Side], (side, at_end): (usize, bool)) -> Point {
 }
 
 /// Pairs of sides through the same points.
-fn coincident_sides(sides: &[Side], tiny: f64, found: &mut Vec<String>) -> bool {
+fn coincident_sides(sides: &[Side], tiny: f64, found: &mut Vec<Degeneracy>) -> bool {
     let same =
         |a: &[Point], b: &[Point]| a.len() == b.len() && a.iter().zip(b).all(|(p, q)| p.distance(*q) <= tiny);
     let before = found.len();
@@ -151,11 +238,7 @@ fn coincident_sides(sides: &[Side], tiny: f64, found: &mut Vec<String>) -> bool 
             if !side.is_point(tiny)
                 && (same(&side.points, &other.points) || same(&side.reversed(), &other.points))
             {
-                found.push(format!(
-                    "the sides `{}` and `{}` are the same curve: the boundary runs back on itself, and patches over it fold \
-                     or touch themselves",
-                    other.name, side.name
-                ));
+                found.push(Degeneracy::SameSides { first: other.name, second: side.name });
             }
         }
     }
@@ -163,7 +246,12 @@ fn coincident_sides(sides: &[Side], tiny: f64, found: &mut Vec<String>) -> bool 
 }
 
 /// Why both tangents at a corner are parallel, if they are.
-fn singular_corner(sides: &[Side], name: &str, ends: [(usize, bool); 2], tiny: f64) -> Option<String> {
+fn singular_corner(
+    sides: &[Side],
+    corner: &'static str,
+    ends: [(usize, bool); 2],
+    tiny: f64,
+) -> Option<Degeneracy> {
     let leave = ends.map(|(k, at_end)| {
         let points = &sides[k].points;
         let n = points.len();
@@ -172,25 +260,25 @@ fn singular_corner(sides: &[Side], name: &str, ends: [(usize, bool); 2], tiny: f
     if let Some(k) = leave.iter().position(|d| d.norm() <= tiny) {
         let (side, at_end) = ends[k];
         let n = sides[side].points.len();
-        let (a, b) = if at_end { (n - 2, n - 1) } else { (0, 1) };
-        return Some(format!(
-            "points {a} and {b} of `{}` coincide: every patch over the boundary is singular at the corner {name}",
-            sides[side].name
-        ));
+        let points = if at_end { [n - 2, n - 1] } else { [0, 1] };
+        return Some(Degeneracy::NoTangent { points, side: sides[side].name, corner });
     }
     let [a, b] = leave;
-    let names = ends.map(|(k, _)| sides[k].name);
     (a.cross(b).norm() <= PARALLEL * a.norm() * b.norm()).then(|| {
         let angle = if a.dot(b) > 0.0 { 0 } else { 180 };
-        format!(
-            "the sides `{}` and `{}` meet at the corner {name} under {angle}°: every patch over the boundary is singular there",
-            names[0], names[1]
-        )
+        Degeneracy::NoAngle { sides: ends.map(|(k, _)| sides[k].name), corner, angle }
     })
 }
 
 /// Where sides, read as Bernstein curves, turn back, and where a planar boundary crosses itself.
-fn folds(sides: &[Side], corners: usize, first: Point, along: Point, extent: f64, tiny: f64) -> Vec<String> {
+fn folds(
+    sides: &[Side],
+    corners: usize,
+    first: Point,
+    along: Point,
+    extent: f64,
+    tiny: f64,
+) -> Vec<Degeneracy> {
     let curves: Vec<Vec<Point>> = sides.iter().map(Side::sampled).collect();
     let mut found = Vec::new();
     for (side, curve) in sides.iter().zip(&curves) {
@@ -199,11 +287,7 @@ fn folds(sides: &[Side], corners: usize, first: Point, along: Point, extent: f64
             a.dot(b) < -0.9 * a.norm() * b.norm() && a.norm().min(b.norm()) > tiny
         });
         if let Some(p) = back {
-            found.push(format!(
-                "the side `{}` turns back on itself near {}: patches over it fold there",
-                side.name,
-                shown(p[1])
-            ));
+            found.push(Degeneracy::TurnsBack { side: side.name, at: p[1] });
         }
     }
     let far = |p: &Point| (*p - first).cross(along).norm();
@@ -238,10 +322,7 @@ fn folds(sides: &[Side], corners: usize, first: Point, along: Point, extent: f64
             if apart(turn(p, q[0]), turn(p, q[1])) && apart(turn(q, p[0]), turn(q, p[1])) {
                 let middle =
                     first + along * (0.5 * (p[0][0] + p[1][0])) + across * (0.5 * (p[0][1] + p[1][1]));
-                found.push(format!(
-                    "the boundary is planar and crosses itself near {}: patches over it fold",
-                    shown(middle)
-                ));
+                found.push(Degeneracy::Crossed { at: middle });
                 return found;
             }
         }

@@ -1,4 +1,4 @@
-//! Nets of least area, with the time each takes: `cargo run --release -p plateau-cli --example least_area`.
+//! Nets of least area, with the time each takes: `cargo run --release -p plateau-patches --example least_area`.
 //!
 //! The frame of the saddle z = x² − y² over [−1, 1]², whose least area is 7.383505602602, and GT Example 5.1, by degree and
 //! tolerance. Times are the least of several, from the boundary net to the net of least area.

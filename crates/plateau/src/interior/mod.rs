@@ -1,0 +1,9 @@
+//! The free control points of a net: extremals, masks, explicit and harmonic nets.
+
+mod construct;
+pub(crate) mod extremal;
+mod harmonic;
+mod mask;
+pub(crate) mod triangle;
+
+pub(crate) use construct::{construct, with_shape};

@@ -1,0 +1,18 @@
+use solve::NewtonEnd;
+
+use super::AreaExtremal;
+
+impl AreaExtremal {
+    /// Why the last iteration ended, in words.
+    pub fn reason(&self) -> &'static str {
+        match self.end {
+            NewtonEnd::Minimum => "the gradient vanishes and no curvature is negative",
+            NewtonEnd::Flat => "the area is all but constant along what remains of the gradient",
+            NewtonEnd::NoDecrease => "no step decreases the area any more",
+            NewtonEnd::Budget => "all steps allowed were made",
+            NewtonEnd::Stopped => "it was stopped",
+            NewtonEnd::NotFinite => "the area is not finite at the start",
+            _ => "the iteration ended",
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! A boundary and a method in, the patch that spans the boundary out, with figures that say how good it is.
+//!
+//! ```
+//! use plateau::least_area;
+//! use surfaces::{Net, Point, TensorPatch};
+//!
+//! // The frame of the saddle z = x² − y² over [−1, 1]²: four parabolas, given by their control points.
+//! let curve = |points: [[f64; 3]; 3]| points.map(Point::from);
+//! let u0 = curve([[-1.0, -1.0, 0.0], [-1.0, 0.0, 2.0], [-1.0, 1.0, 0.0]]);
+//! let u1 = curve([[1.0, -1.0, 0.0], [1.0, 0.0, 2.0], [1.0, 1.0, 0.0]]);
+//! let v0 = curve([[-1.0, -1.0, 0.0], [0.0, -1.0, -2.0], [1.0, -1.0, 0.0]]);
+//! let v1 = curve([[-1.0, 1.0, 0.0], [0.0, 1.0, -2.0], [1.0, 1.0, 0.0]]);
+//!
+//! let frame = Net::from_boundary(&u0, &u1, &v0, &v1)?.raised(6);
+//! let (patch, found) = least_area(&TensorPatch::bernstein(frame)?, 1e-9, &())?;
+//! assert!((found.area.value / 7.383_505_602_602 - 1.0).abs() < 1e-5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! - [`least_area`] and [`least_area_triangle`] take a patch, of which the border counts, to the one of least area.
+//! - [`solve()`] runs a [`Method`] over a [`Boundary`]: extremals of quadratic energies and of the area, masks, explicit and
+//!   harmonic nets, their shape parameters given or searched ([`Search`]). What comes out is [`Done`]: the [`Surface`], the way
+//!   to it, its [`Figures`], and each [`Warning`] that a reader needs.
+//! - [`helicoids`] and [`trapezium`] make the helicoids of AHT and AT, [`sample`] samples a curve.
+//! - [`degeneracies`] says what is wrong with a boundary before anything is computed.
+//!
+//! Whoever waits may watch ([`Progress`]) and keep finished runs of searches ([`Keeper`]). Nothing here reads or writes files.
+
+mod arithmetic;
+mod boundary;
+mod boundary_figures;
+mod closed_form;
+mod context;
+mod curve;
+mod degeneracy;
+mod error;
+mod family;
+mod figures;
+mod helicoid;
+mod interior;
+mod keeper;
+mod least_area;
+mod method;
+mod outcome;
+mod progress;
+mod quantity;
+mod search;
+mod solve;
+mod solved;
+mod surface;
+mod trust;
+mod warning;
+
+pub use arithmetic::Arithmetic;
+pub use boundary::{Boundary, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE};
+pub use boundary_figures::BoundaryFigures;
+pub use closed_form::ClosedForm;
+pub use context::Context;
+pub use curve::{Curve, CurveBasis, CurveResult, sample};
+pub use degeneracy::{Degeneracy, degeneracies};
+pub use error::MethodError;
+pub use family::Family;
+pub use figures::Figures;
+pub use helicoid::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium};
+pub use keeper::Keeper;
+pub use least_area::{AreaExtremal, least_area, least_area_triangle};
+pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};
+pub use outcome::{Done, MethodResult, Results};
+pub use progress::Progress;
+pub use quantity::Quantity;
+pub use search::{MAX_SEARCH_BUDGET, Search, SearchMode, SearchOutcome, SearchRun, Variant};
+pub use solve::solve;
+pub use solved::{SolveFigures, Solved};
+pub use surface::Surface;
+pub use warning::Warning;

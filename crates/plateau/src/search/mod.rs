@@ -1,0 +1,11 @@
+//! The search for shape parameters: a swarm over the reduced energy, a polish of what it found.
+
+mod least_area;
+mod options;
+mod outcome;
+mod reduced;
+mod runs;
+
+pub use options::{MAX_SEARCH_BUDGET, Search, SearchMode, Variant};
+pub use outcome::{SearchOutcome, SearchRun};
+pub(crate) use runs::search;

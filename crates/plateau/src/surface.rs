@@ -1,0 +1,67 @@
+//! Patches of any kind.
+
+use surfaces::{Mesh, Patch, Pieces, Point, TensorPatch, TrianglePatch};
+
+/// A patch of any kind.
+#[derive(Debug, Clone)]
+pub enum Surface {
+    /// On a rectangular net.
+    Tensor(TensorPatch),
+    /// On a triangular net.
+    Triangle(TrianglePatch),
+    /// On several rectangular nets that meet, or one.
+    Pieces(Pieces),
+}
+
+impl Surface {
+    /// The patch as such.
+    pub fn patch(&self) -> &dyn Patch {
+        match self {
+            Self::Tensor(patch) => patch,
+            Self::Triangle(patch) => patch,
+            Self::Pieces(pieces) => pieces,
+        }
+    }
+
+    /// Share of the size of the boundary that rounding takes of the points of the surface: where free control points lie far
+    /// beyond the boundary, the surface is what their differences leave.
+    pub fn cancellation(&self) -> f64 {
+        let share = |fixed: &[bool], points: &[Point]| {
+            let border = || fixed.iter().zip(points).filter(|(fixed, _)| **fixed).map(|(_, &p)| p);
+            let Some(origin) = border().next() else { return 0.0 };
+            let size = border().map(|p| p.distance(origin)).fold(0.0, f64::max);
+            let reach = points.iter().map(|p| p.distance(origin)).fold(0.0, f64::max);
+            if size > 0.0 { f64::EPSILON * reach / size } else { 0.0 }
+        };
+        match self {
+            Self::Tensor(patch) => {
+                let (rows, cols) = (patch.net().rows(), patch.net().cols());
+                // Constructed nets have all points fixed.
+                let on_border = |k: usize| {
+                    let (i, j) = (k / cols, k % cols);
+                    i == 0 || j == 0 || i + 1 == rows || j + 1 == cols
+                };
+                share(&(0..rows * cols).map(on_border).collect::<Vec<_>>(), patch.net().points())
+            }
+            Self::Triangle(patch) => {
+                let on_border = |index: [usize; 3]| index.contains(&0);
+                share(&patch.net().indices().map(on_border).collect::<Vec<_>>(), patch.net().points())
+            }
+            Self::Pieces(_) => 0.0,
+        }
+    }
+
+    /// The degrees in u and v; twice the same of a triangular patch, 0 of several pieces.
+    pub(crate) fn degrees(&self) -> (usize, usize) {
+        match self {
+            Self::Tensor(patch) => patch.net().degrees(),
+            Self::Triangle(patch) => (patch.net().degree(), patch.net().degree()),
+            Self::Pieces(_) => (0, 0),
+        }
+    }
+
+    /// Its triangle mesh.
+    pub fn mesh(&self, subdivisions: usize) -> Mesh {
+        Mesh::of(self.patch(), subdivisions)
+    }
+}

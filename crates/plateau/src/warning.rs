@@ -1,0 +1,227 @@
+use thiserror::Error;
+
+use crate::Degeneracy;
+
+/// What a reader must know before trusting a surface or its figures; shown as one sentence.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Warning {
+    /// The best shape of a search lies on the boundary of its box.
+    #[error("the search box binds: {} at {bound}; a wider box may hold a lower minimum", parameters.join(", "))]
+    BoxBinds {
+        /// The parameters there.
+        parameters: Vec<&'static str>,
+        /// The end of the box.
+        bound: f64,
+    },
+    /// Runs whose polish did not end at a stationary point.
+    #[error("{runs} of {of} runs did not end at a stationary point")]
+    NotStationary {
+        /// How many.
+        runs: usize,
+        /// Of how many.
+        of: usize,
+    },
+    /// Runs that ended because their budget was spent.
+    #[error("{runs} of {of} runs stopped on budget, which is not convergence{}", best_values(*of, *spread))]
+    Budget {
+        /// How many.
+        runs: usize,
+        /// Of how many.
+        of: usize,
+        /// The difference between the best values of the worst and the best run.
+        spread: f64,
+    },
+    /// Evaluations of a search that failed.
+    #[error("{failed} of {of} evaluations of the search failed and were passed over")]
+    FailedEvaluations {
+        /// How many.
+        failed: u64,
+        /// Of how many.
+        of: u64,
+    },
+    /// A large condition number.
+    #[error(
+        "the control points are ill-conditioned (about {condition:.0e}): they lose digits, the surface fewer"
+    )]
+    IllConditioned {
+        /// Estimate of the condition number.
+        condition: f64,
+    },
+    /// A linear solve with a large residual.
+    #[error("the linear solve left a residual of {residual:.0} (30 is LAPACK's threshold of failure)")]
+    Residual {
+        /// As LAPACK's tests scale it.
+        residual: f64,
+    },
+    /// Control points far beyond the boundary.
+    #[error(
+        "the control points reach {:.0e} times as far out as the boundary: the surface is what their differences leave, and \
+         is certain to about {share:.0e} of its size",
+        share / f64::EPSILON
+    )]
+    Cancellation {
+        /// Rounding of the surface as a share of the size of its boundary.
+        share: f64,
+    },
+    /// The search for the least area ended before a minimum.
+    #[error(
+        "the least area was not reached: {reason} after {iterations} steps, gradient {gradient:.1e} of the root of the area"
+    )]
+    AreaNotReached {
+        /// Why it ended.
+        reason: &'static str,
+        /// Newton steps made.
+        iterations: usize,
+        /// Gradient of the area over √area.
+        gradient: f64,
+    },
+    /// The search for the least area ended on a rule that does not integrate it.
+    #[error(
+        "the search for the least area ended on a rule of {points}² points that does not integrate it (± {error:.1e}): the net \
+         nearly folds, and its gradient is {gradient:.1e} of the root of the area"
+    )]
+    AreaRule {
+        /// Points of the rule in each direction.
+        points: usize,
+        /// Error of the area by it.
+        error: f64,
+        /// Gradient of the area over √area.
+        gradient: f64,
+    },
+    /// A negative second variation of the area.
+    #[error(
+        "the surface is not a stable minimum: its second variation is negative along the normal; another surface over the \
+         same boundary has less area"
+    )]
+    Unstable,
+    /// No area beyond rounding.
+    #[error(
+        "the patch has no area beyond rounding ({area:.1e}): (D − A)/A and the mean curvature are left out"
+    )]
+    NoArea {
+        /// The area.
+        area: f64,
+    },
+    /// The quadrature of the area did not converge.
+    #[error(
+        "the area has not settled: {} ± {error:.1e} after {points}² quadrature points; the patch folds or is singular \
+         somewhere",
+        digits(*area)
+    )]
+    AreaUnsettled {
+        /// The area.
+        area: f64,
+        /// The error believed.
+        error: f64,
+        /// Points of the rule in each direction.
+        points: usize,
+    },
+    /// Singular at every vertex of the mesh.
+    #[error("the patch is singular at every vertex of its mesh: no mean curvature is given")]
+    SingularMesh,
+    /// The quadrature of H² did not converge.
+    #[error(
+        "the root mean square of H is left out: ∫H² dA has not settled ({square:.3e} ± {error:.0e} after {points}² quadrature \
+         points); the patch is singular somewhere, or nearly, and the largest |H| depends on the mesh"
+    )]
+    CurvatureUnsettled {
+        /// ∫H² dA.
+        square: f64,
+        /// The error believed.
+        error: f64,
+        /// Points of the rule in each direction.
+        points: usize,
+    },
+    /// An interval too long for one patch.
+    #[error(
+        "{name} = {span} is cut into {pieces} equal parts: one patch holds spans below {bound:.4}, the bound of the {basis} \
+         basis"
+    )]
+    SpanCut {
+        /// The name of the interval.
+        name: &'static str,
+        /// Its length.
+        span: f64,
+        /// The number of equal parts.
+        pieces: f64,
+        /// The bound of the basis.
+        bound: f64,
+        /// The basis.
+        basis: &'static str,
+    },
+    /// An interval close to the bound of its basis.
+    #[error(
+        "{name} = {span} lies within {:.1} % of the bound {bound:.4} of the {basis} basis: the control points grow and lose \
+         digits",
+        100.0 * (1.0 - span / bound)
+    )]
+    SpanNearBound {
+        /// The name of the interval.
+        name: &'static str,
+        /// Its length.
+        span: f64,
+        /// The bound of the basis.
+        bound: f64,
+        /// The basis.
+        basis: &'static str,
+    },
+    /// A curve whose tangent vanishes at samples.
+    #[error(
+        "the tangent vanishes at t = {}: there is no curvature there, and result.json has no list of them; curve.csv has \
+         those of the other samples",
+        first_five(at)
+    )]
+    CurveSingular {
+        /// Their parameters.
+        at: Vec<f64>,
+    },
+    /// A curve on an interval close to the bound of its basis.
+    #[error(
+        "the span lies within {} % of the bound {bound:.6} of the {basis} basis, where curves lose digits and control points \
+         grow: cut the curve into two",
+        percent(100.0 * (1.0 - span / bound))
+    )]
+    CurveNearBound {
+        /// Length of the interval.
+        span: f64,
+        /// The bound of the basis.
+        bound: f64,
+        /// The basis.
+        basis: &'static str,
+    },
+    /// The quadrature of a length did not converge.
+    #[error("the length has not settled: {length} ± {error:.1e}; the curve may have a cusp")]
+    LengthUnsettled {
+        /// The length.
+        length: f64,
+        /// The error believed.
+        error: f64,
+    },
+    /// A degenerate boundary.
+    #[error(transparent)]
+    Degenerate(#[from] Degeneracy),
+}
+
+/// How the best values of several runs compare.
+fn best_values(runs: usize, spread: f64) -> String {
+    match spread {
+        _ if runs == 1 => String::new(),
+        0.0 => "; their best values are equal".to_owned(),
+        spread => format!("; their best values spread by {spread:.1e}"),
+    }
+}
+
+/// A number with all its digits, in the form that is shorter.
+fn digits(x: f64) -> String {
+    if (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+}
+
+fn first_five(numbers: &[f64]) -> String {
+    let shown = numbers.iter().take(5).map(f64::to_string).collect::<Vec<_>>().join(", ");
+    if numbers.len() > 5 { format!("{shown} and {} more", numbers.len() - 5) } else { shown }
+}
+
+fn percent(share: f64) -> String {
+    if share < 0.01 { format!("{share:.0e}") } else { format!("{share:.2}") }
+}
