@@ -25,6 +25,17 @@ pub(crate) fn sequential(t: f64) -> [u8; 3] {
     srgb(between(SEQUENCE[piece], SEQUENCE[piece + 1], t - piece as f64))
 }
 
+/// Share of the values that the colours cover; a few near singular points would wash out all the others.
+const COVERED: f64 = 0.98;
+
+/// The |value| at which the colours are full: all but the largest 2 % lie within. None if that is no more than `rounding`.
+pub(crate) fn full_scale(values: impl Iterator<Item = f64>, rounding: f64) -> Option<f64> {
+    let mut sizes: Vec<f64> = values.map(f64::abs).filter(|x| x.is_finite()).collect();
+    let place = ((sizes.len() as f64 * COVERED) as usize).min(sizes.len().checked_sub(1)?);
+    let (_, full, _) = sizes.select_nth_unstable_by(place, f64::total_cmp);
+    (*full > rounding).then_some(*full)
+}
+
 /// A colour as `#rrggbb`.
 pub(crate) fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")

@@ -42,6 +42,7 @@ mod format;
 mod import;
 mod limits;
 mod manifest;
+mod number;
 mod picture;
 mod plan;
 mod printable;

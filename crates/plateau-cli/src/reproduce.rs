@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::report::cells::Cells;
 use crate::report::grid::{Column, grid};
 use crate::run::Finished;
 use crate::{Options, Plan, Published, run};
@@ -131,7 +132,7 @@ impl Reproduction {
     /// The table as text: a paragraph per experiment, a row per printed number, then the counts and the faults.
     pub fn table(&self) -> String {
         let rows: Vec<Vec<String>> = self.entries.iter().map(cells).collect();
-        let lines = grid(&COLUMNS, &rows);
+        let lines = grid(&Cells::new(COLUMNS.to_vec(), rows));
         let mut lines = lines.lines();
         let mut text = String::new();
         for line in lines.by_ref().take(2) {
@@ -200,18 +201,14 @@ fn entry(file: &str, title: &str, method: &MethodResult, published: &Published) 
 }
 
 const COLUMNS: [Column; 7] = [
-    column("  method", true),
-    column("printed in", true),
-    column("headed", true),
-    column("which is", true),
-    column("printed", false),
-    column("ours", false),
-    column("verdict", true),
+    Column::words("  method", ""),
+    Column::words("printed in", ""),
+    Column::words("headed", ""),
+    Column::words("which is", ""),
+    Column::number("printed", ""),
+    Column::number("ours", ""),
+    Column::words("verdict", ""),
 ];
-
-const fn column(heading: &'static str, is_words: bool) -> Column {
-    Column { heading, unit: "", is_words }
-}
 
 fn cells(entry: &Reproduced) -> Vec<String> {
     vec![

@@ -7,20 +7,11 @@ use crate::colour;
 /// |H| times the size of the mesh below which mean curvature is rounding: a minimal surface has no colours.
 const FLAT: f64 = 1e-9;
 
-/// Share of the vertices whose |H| the scale covers; a few near singular points would wash out all the others.
-const COVERED: f64 = 0.98;
-
 /// Blue for negative, white for zero, red for positive mean curvature, grey where there is none; with the |H| at which the
 /// colours are full. None for minimal surfaces.
 pub(crate) fn by_mean_curvature(mesh: &Mesh) -> Option<(Vec<[u8; 3]>, f64)> {
-    let mut sizes: Vec<f64> =
-        mesh.mean_curvature.iter().flatten().map(|h| h.abs()).filter(|h| h.is_finite()).collect();
-    let place = ((sizes.len() as f64 * COVERED) as usize).min(sizes.len().checked_sub(1)?);
-    let (_, full, _) = sizes.select_nth_unstable_by(place, f64::total_cmp);
-    let full = *full;
-    if full * super::diagonal(mesh.points.iter().map(|p| [p.x, p.y, p.z])) <= FLAT {
-        return None;
-    }
+    let rounding = FLAT / super::diagonal(mesh.points.iter().map(|p| [p.x, p.y, p.z]));
+    let full = colour::full_scale(mesh.mean_curvature.iter().flatten().copied(), rounding)?;
     Some((mesh.mean_curvature.iter().map(|h| shade(h.map(|h| h / full))).collect(), full))
 }
 

@@ -1,6 +1,7 @@
 //! Axes: where ticks stand and what they say.
 
 use super::svg::{Anchor, Font, GRID, INK, Svg};
+use crate::number::{number, power_of_ten};
 
 /// Most decades a logarithmic axis can span.
 const DECADES: i32 = 640;
@@ -36,7 +37,7 @@ impl Axis {
         let step = (1..DECADES).find(|step| (last - first) / step < wanted as i32).unwrap_or(DECADES);
         let ticks = (first..=last)
             .filter(|decade| decade.rem_euclid(step) == 0)
-            .map(|decade| (f64::from(decade), power(decade)))
+            .map(|decade| (f64::from(decade), power_of_ten(decade)))
             .collect();
         Self { low: f64::from(first), high: f64::from(last), logarithmic: true, pixels, ticks }
     }
@@ -112,44 +113,6 @@ pub(super) fn ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// A number in four digits at most, as people write it.
-pub(crate) fn number(x: f64) -> String {
-    digits(x, 4)
-}
-
-/// A finite number in at most so many digits, 1 to 17.
-pub(crate) fn digits(x: f64, most: usize) -> String {
-    if x == 0.0 {
-        return "0".into();
-    }
-    let decade = libm::floor(libm::log10(x.abs()) + 1e-12) as i32;
-    let text = if (-3..6).contains(&decade) {
-        let decimals = (most as i32 - 1 - decade).max(0) as usize;
-        let text = format!("{x:.decimals$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else {
-        let text = format!("{x:.*e}", most - 1);
-        match text.split_once('e') {
-            Some((digits, exponent)) => {
-                let digits = digits.trim_end_matches('0').trim_end_matches('.');
-                let exponent: i32 = exponent.parse().unwrap_or(decade);
-                format!("{digits}·{}", power(exponent))
-            }
-            None => text,
-        }
-    };
-    text.replace('-', "−")
-}
-
-/// 10ⁿ.
-fn power(n: i32) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let sign = if n < 0 { "⁻" } else { "" };
-    let digits = n.unsigned_abs().to_string();
-    let raised: String = digits.bytes().map(|digit| DIGITS[usize::from(digit - b'0')]).collect();
-    format!("10{sign}{raised}")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -175,12 +138,6 @@ mod tests {
             assert!(!ticks.is_empty() && ticks.len() < 15, "{low} {high}: {}", ticks.len());
             assert!(ticks.iter().all(|(x, _)| x.is_finite()), "{low} {high}");
         }
-    }
-
-    #[test]
-    fn numbers_are_short() {
-        let shown = [0.61210, -0.5, 1234.56, 1.2e-7, 3.0, 0.001].map(number);
-        assert_eq!(shown, ["0.6121", "−0.5", "1235", "1.2·10⁻⁷", "3", "0.001"]);
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! How searches converged: every run, its best value and what it lacked to the best of all.
 
 use super::Picture;
-use super::axis::{Axis, frame, number};
+use super::axis::{Axis, frame};
 use super::svg::{ACCENT, Anchor, FAINT, Font, Svg, path, shortened};
-use plateau::Results;
-use plateau::{SearchOutcome, SearchRun};
+use crate::number::number;
+use plateau::{Results, SearchOutcome, SearchRun};
 
 /// Most searches in one picture.
 const SEARCHES: usize = 6;

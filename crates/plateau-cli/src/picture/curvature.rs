@@ -1,8 +1,9 @@
 //! A curve with its control polygon, and its curvature.
 
 use super::Picture;
-use super::axis::{Axis, frame, number};
+use super::axis::{Axis, frame};
 use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
+use crate::number::number;
 use plateau::{Curve, CurveResult, sample};
 
 /// Parameters at which the curve is drawn, besides the samples of the file.

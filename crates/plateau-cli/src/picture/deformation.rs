@@ -1,9 +1,9 @@
 //! A deformation as a strip of frames.
 
-use super::axis::number;
 use super::svg::{Anchor, Font, Svg};
 use super::view::{CORNERS, Camera, axes, surface};
 use super::{Picture, colour_bar};
+use crate::number::number;
 use crate::scene::{Field, Scene, Shown, spread};
 use plateau::Results;
 

@@ -5,10 +5,11 @@ use std::fmt::Write;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use surfaces::Domain;
 
-use super::axis::{Axis, frame, number};
+use super::axis::{Axis, frame};
 use super::svg::{Anchor, Font, INK, Length, Svg, path, shortened};
 use super::{Picture, arrange, colour_bar};
 use crate::colour;
+use crate::number::number;
 use crate::scene::{Field, Scene, Shown, spread};
 
 /// Most maps in one picture.

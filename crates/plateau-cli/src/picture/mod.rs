@@ -9,7 +9,6 @@ mod map;
 mod svg;
 mod view;
 
-pub(crate) use axis::digits;
 pub(crate) use svg::Escaped;
 
 use crate::scene::Scene;

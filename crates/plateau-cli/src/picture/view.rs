@@ -2,10 +2,10 @@
 
 use surfaces::Point;
 
-use super::axis::digits;
 use super::svg::{Anchor, FAINT, Font, INK, Length, Svg, path, shortened};
 use super::{Picture, arrange, colour_bar};
 use crate::colour;
+use crate::number::Form;
 use crate::scene::{Field, LARGEST_NET, Scene, Shown, spread};
 
 /// Most views in one picture.
@@ -37,10 +37,10 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     for (k, shown) in chosen.iter().enumerate() {
         let (x, y) = (cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64);
         svg.text([x + 16.0, y + 18.0], Anchor::Start, Font::TITLE, &shortened(shown.name, 34));
-        let mut caption = format!("area {} length²", digits(shown.done.figures.area.value, 7));
+        let mut caption = format!("area {} length²", Form::Digits(7).of(shown.done.figures.area.value));
         let times = shown.net_size();
         if times > LARGEST_NET {
-            caption += &format!("; net {}× larger", digits(times, 2));
+            caption += &format!("; net {}× larger", Form::Digits(2).of(times));
         }
         svg.text([x + 16.0, y + 35.0], Anchor::Start, Font::SMALL, &caption);
         let clip = format!("view-{k}");

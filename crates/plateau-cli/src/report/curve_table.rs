@@ -1,55 +1,41 @@
-//! The table of a curve experiment.
+//! The tables of a curve experiment.
 
-use super::grid::{Column, figure, grid};
+use super::cells::Cells;
+use super::grid::Column;
+use crate::number::Form;
 use plateau::CurveResult;
 
-/// Most samples that are listed.
-const LISTED: usize = 12;
+const FIGURE: Form = Form::Decimals(7);
 
-/// Length and largest curvature; the samples themselves, where they are few.
-pub(crate) fn curve_table(curve: &CurveResult) -> String {
-    let number = |heading, unit| Column { heading, unit, is_words: false };
-    let columns = [
-        Column { heading: "curve", unit: "", is_words: true },
-        number("samples", ""),
-        number("length", "length"),
-        number("± of length", "length"),
-        number("largest |κ| of the samples", "1/length"),
-        number("at t", ""),
+/// Length and largest curvature of the curve.
+pub(crate) fn summary(curve: &CurveResult) -> Cells {
+    let columns = vec![
+        Column::words("curve", ""),
+        Column::number("samples", ""),
+        Column::number("length", "length"),
+        Column::number("± of length", "length"),
+        Column::number("largest |κ| of the samples", "1/length"),
+        Column::number("at t", ""),
     ];
     let (largest, at) = match curve.sharpest() {
-        Some((k, curvature)) => (figure(curvature.abs()), curve.t[k].to_string()),
+        Some((k, curvature)) => (FIGURE.of(curvature.abs()), curve.t[k].to_string()),
         None => ("–".into(), "–".into()),
     };
     let [length, error] = curve.length;
-    let row = vec![
-        curve.name.clone(),
-        curve.t.len().to_string(),
-        figure(length),
-        format!("{error:.1e}"),
-        largest,
-        at,
-    ];
-    let mut text = grid(&columns, &[row]);
-    if curve.t.len() <= LISTED {
-        text.push('\n');
-        text += &samples(curve);
-    }
-    text
+    let (name, samples) = (curve.name.clone(), curve.t.len().to_string());
+    Cells::new(columns, vec![vec![name, samples, FIGURE.of(length), Form::Order.of(error), largest, at]])
 }
 
-fn samples(curve: &CurveResult) -> String {
-    let heading = |heading| Column { heading, unit: "", is_words: false };
+/// The first samples, at most `most`, with their points and curvatures.
+pub(crate) fn samples(curve: &CurveResult, most: usize) -> Cells {
     let names = ["t", "x", "y", "z"];
-    let columns: Vec<Column> =
-        names[..=curve.dimension].iter().copied().chain(["curvature κ"]).map(heading).collect();
+    let headings = names[..=curve.dimension].iter().copied().chain(["curvature κ"]);
+    let columns = headings.map(|heading| Column::number(heading, "")).collect();
     let row = |k: usize| -> Vec<String> {
         let point = curve.coordinates(curve.jets[k].point);
-        let curvature = curve.curvature[k].map_or("none".into(), figure);
-        std::iter::once(curve.t[k].to_string())
-            .chain(point.into_iter().map(figure))
-            .chain([curvature])
-            .collect()
+        let curvature = curve.curvature[k].map_or("none".into(), |x| FIGURE.of(x));
+        let figures = point.into_iter().map(|x| FIGURE.of(x));
+        std::iter::once(curve.t[k].to_string()).chain(figures).chain([curvature]).collect()
     };
-    grid(&columns, &(0..curve.t.len()).map(row).collect::<Vec<_>>())
+    Cells::new(columns, (0..curve.t.len().min(most)).map(row).collect())
 }

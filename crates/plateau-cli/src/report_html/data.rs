@@ -4,7 +4,7 @@ use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::{Value, json};
 
 use crate::colour;
-use crate::picture::digits;
+use crate::number::{Form, number};
 use crate::scene::{Field, LARGEST_NET, Scene, Shown};
 
 /// The data of the viewer as JSON that may stand inside a script element. Points are in the frame of the scene, values in
@@ -70,9 +70,9 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
     let net = &shown.net;
     let edges: Vec<u8> = net.edges.iter().flatten().flat_map(|&k| (k as u16).to_le_bytes()).collect();
     let figures = &shown.done.figures;
-    let mut caption = format!("area {} length²", digits(figures.area.value, 9));
+    let mut caption = format!("area {} length²", Form::Digits(9).of(figures.area.value));
     if let Some(largest) = figures.mean_curvature_max {
-        caption += &format!(", max |H| {} 1/length", digits(largest, 4));
+        caption += &format!(", max |H| {} 1/length", number(largest));
     }
     json!({
         "name": shown.name,

@@ -2,9 +2,13 @@
 
 use std::fmt::Write;
 
-use crate::picture::{Escaped, digits};
-use plateau::Results;
-use plateau::{CurveResult, MethodResult, Quantity};
+use crate::number::Form;
+use crate::picture::Escaped;
+use crate::report::cells::{Cells, cells};
+use crate::report::curve_table::{samples, summary};
+use crate::report::figure::Place;
+use crate::report::grid::Column;
+use plateau::{CurveResult, Quantity, Results};
 
 /// Most rows of a table.
 const ROWS: usize = 200;
@@ -12,102 +16,45 @@ const ROWS: usize = 200;
 /// Most rows of comparisons that are open at once, unless a number was missed.
 const OPEN: usize = 20;
 
-/// A column: heading, unit, its cell for a method.
-type Column = (&'static str, &'static str, fn(&MethodResult) -> Option<String>);
-
-const COLUMNS: [Column; 11] = [
-    ("Dirichlet D", "length²", |m| energy(m, Quantity::Dirichlet)),
-    ("bound of D", "length²", |m| energy(m, Quantity::HarmonicBound)),
-    ("area A", "length²", |m| energy(m, Quantity::Area)),
-    ("± of A", "length²", |m| Some(digits(m.outcome.as_ref().ok()?.figures.area.error, 2))),
-    ("(D−A)/A", "", |m| {
-        m.figure(Quantity::ConformalityGap).map(|gap| format!("{} %", digits(100.0 * gap, 5)))
-    }),
-    ("max |H|", "1/length", |m| m.figure(Quantity::MeanCurvatureMax).map(|h| digits(h, 5))),
-    ("rms H", "1/length", |m| m.figure(Quantity::MeanCurvatureRms).map(|h| digits(h, 5))),
-    ("∫‖ΔS‖²", "length²", |m| m.figure(Quantity::LaplacianDefect).map(|x| digits(x, 6))),
-    ("boundary", "moved by", |m| m.figure(Quantity::BoundaryDeviation).map(moved)),
-    ("closed form", "off by", |m| m.figure(Quantity::Deviation).map(|x| digits(x, 2))),
-    ("shape", "α1 α2 β1 β2", shape),
-];
-
-fn energy(method: &MethodResult, quantity: Quantity) -> Option<String> {
-    method.figure(quantity).map(|value| digits(value, 9))
-}
-
-fn moved(deviation: f64) -> String {
-    if deviation < 1e-12 { "0".into() } else { digits(deviation, 4) }
-}
-
-fn shape(method: &MethodResult) -> Option<String> {
-    let shape = method.outcome.as_ref().ok()?.solved.shape?;
-    if shape.iter().all(|x| (x - shape[0]).abs() < 5e-6) {
-        return Some(format!("{:.5} (all)", shape[0]));
-    }
-    Some(shape.map(|x| format!("{x:.5}")).join(" "))
-}
-
-/// One row a method; columns nobody fills are left out.
+/// One row a method.
 pub(super) fn methods(results: &Results) -> String {
-    let rows: Vec<(&MethodResult, Vec<Option<String>>)> = results
-        .methods
-        .iter()
-        .take(ROWS)
-        .map(|m| (m, COLUMNS.map(|(_, _, cell)| cell(m)).to_vec()))
-        .collect();
-    let filled: Vec<usize> =
-        (0..COLUMNS.len()).filter(|&k| rows.iter().any(|(_, row)| row[k].is_some())).collect();
-    let mut html = String::from("<div class=\"wide\"><table><thead><tr><th scope=\"col\">method</th>");
-    for &k in &filled {
-        let (heading, unit, _) = COLUMNS[k];
-        let _ = write!(html, "<th scope=\"col\">{heading}<span class=\"unit\">{unit}</span></th>");
-    }
-    html += "</tr></thead><tbody>\n";
-    for (method, row) in &rows {
-        let _ = write!(html, "<tr><td>{}</td>", Escaped(&method.name));
-        match &method.outcome {
-            Ok(_) => filled.iter().for_each(|&k| {
-                let _ = write!(html, "<td>{}</td>", row[k].as_deref().unwrap_or(""));
-            }),
-            Err(error) => {
-                let (span, error) = (filled.len().max(1), error.to_string());
-                let _ = write!(
-                    html,
-                    "<td class=\"words bad\" colspan=\"{span}\">failed: {}</td>",
-                    Escaped(&error)
-                );
-            }
-        }
-        html += "</tr>\n";
-    }
-    html += "</tbody></table></div>\n";
+    let mut html = table(&cells(results, Place::Page, ROWS));
     left_out(&mut html, results.methods.len());
     html
 }
 
-/// The samples of a curve.
+/// The curve and its samples.
 pub(super) fn curve(curve: &CurveResult) -> String {
-    let names = &["x", "y", "z"][..curve.dimension];
-    let mut html = format!(
-        "<p>{}, length {}</p><div class=\"wide\"><table><thead><tr><th scope=\"col\">t</th>",
-        Escaped(&curve.name),
-        digits(curve.length[0], 9)
-    );
-    for name in names {
-        let _ = write!(html, "<th scope=\"col\">{name}<span class=\"unit\">length</span></th>");
-    }
-    html += "<th scope=\"col\">curvature κ<span class=\"unit\">1/length</span></th></tr></thead><tbody>\n";
-    for k in 0..curve.t.len().min(ROWS) {
-        let _ = write!(html, "<tr><td>{}</td>", digits(curve.t[k], 6));
-        for x in curve.coordinates(curve.jets[k].point) {
-            let _ = write!(html, "<td>{}</td>", digits(x, 8));
-        }
-        let curvature = curve.curvature[k].map_or("none".into(), |x| digits(x, 8));
-        let _ = writeln!(html, "<td>{curvature}</td></tr>");
-    }
-    html += "</tbody></table></div>\n";
+    let mut html = table(&summary(curve)) + &table(&samples(curve, ROWS));
     left_out(&mut html, curve.t.len());
     html
+}
+
+/// A table as the terminal shows it; a row that failed says why.
+fn table(Cells { columns, rows }: &Cells) -> String {
+    let mut html = String::from("<div class=\"wide\"><table><thead><tr>");
+    for Column { heading, unit, key, .. } in columns {
+        let figure = if key.is_empty() { String::new() } else { format!(" data-figure=\"{key}\"") };
+        let _ = write!(html, "<th scope=\"col\"{figure}>{heading}");
+        if !unit.is_empty() {
+            let _ = write!(html, "<span class=\"unit\">{unit}</span>");
+        }
+        html += "</th>";
+    }
+    html += "</tr></thead><tbody>\n";
+    for row in rows {
+        let shown = if row.failure.is_some() { 1 } else { columns.len() };
+        html += "<tr>";
+        for cell in &row.cells[..shown] {
+            let _ = write!(html, "<td>{}</td>", Escaped(cell));
+        }
+        if let Some(failure) = &row.failure {
+            let (span, failure) = (columns.len() - 1, Escaped(failure));
+            let _ = write!(html, "<td class=\"words bad\" colspan=\"{span}\">failed: {failure}</td>");
+        }
+        html += "</tr>\n";
+    }
+    html + "</tbody></table></div>\n"
 }
 
 /// A number that is wanted of the results, beside ours.
@@ -162,7 +109,7 @@ pub(super) fn comparisons(comparisons: &[Comparison<'_>]) -> String {
             Escaped(c.name),
             c.quantity,
             Escaped(c.text),
-            c.ours.map_or("none".into(), |x| digits(x, 9)),
+            c.ours.map_or("none".into(), |x| Form::Digits(9).of(x)),
             Escaped(verdict),
         );
     }

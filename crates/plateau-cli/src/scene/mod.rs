@@ -12,17 +12,14 @@ pub(crate) use control_net::ControlNet;
 pub(crate) use field::Field;
 pub(crate) use sample::Sample;
 
-use plateau::Done;
-use plateau::Results;
+use crate::colour;
+use plateau::{Done, Results};
 
 /// Most surfaces that are shown; of more, the first and then evenly chosen ones.
 const MOST: usize = 24;
 
 /// Vertices of all surfaces together: bounds the size of the report.
 const VERTICES: usize = 14_000;
-
-/// Share of the vertices whose value the colour scale covers; a few near singular points would wash out all the others.
-const COVERED: f64 = 0.98;
 
 /// Control nets larger than this many times their surface are not drawn at first: they would dwarf it.
 pub(crate) const LARGEST_NET: f64 = 2.5;
@@ -124,12 +121,9 @@ impl<'a> Scene<'a> {
     /// The value at which the colours of `field` are full, the same for all surfaces: all but the largest
     /// 2 % of the values lie within. None if nothing but rounding is there to see.
     pub(crate) fn full_scale(&self, field: Field) -> Option<f64> {
-        let mut sizes: Vec<f64> =
-            self.surfaces.iter().flat_map(|s| s.sample.values(field)).flatten().map(|x| x.abs()).collect();
-        let place = ((sizes.len() as f64 * COVERED) as usize).min(sizes.len().checked_sub(1)?);
-        let (_, full, _) = sizes.select_nth_unstable_by(place, f64::total_cmp);
-        let unit = self.radius.powi(field.length_exponent());
-        (*full > field.rounding(FLAT) * unit).then_some(*full)
+        let values = self.surfaces.iter().flat_map(|s| s.sample.values(field)).flatten();
+        let rounding = field.rounding(FLAT) * self.radius.powi(field.length_exponent());
+        colour::full_scale(values.copied(), rounding)
     }
 
     /// The largest |value| of `field` over all surfaces.
