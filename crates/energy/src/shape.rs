@@ -81,7 +81,16 @@ impl GramPolynomial {
 
     /// The Gram matrix at shape θ.
     pub fn at(&self, [t1, t2]: [f64; 2]) -> Matrix {
-        let monomials = [1.0, t1, t2, t1 * t1, t1 * t2, t2 * t2];
+        self.combined([1.0, t1, t2, t1 * t1, t1 * t2, t2 * t2])
+    }
+
+    /// Its derivative by θ1 (`k` 0) or θ2 (1) at shape θ.
+    pub fn derivative(&self, [t1, t2]: [f64; 2], k: usize) -> Matrix {
+        let by = [[0.0, 1.0, 0.0, 2.0 * t1, t2, 0.0], [0.0, 0.0, 1.0, 0.0, t1, 2.0 * t2]];
+        self.combined(by[k])
+    }
+
+    fn combined(&self, monomials: [f64; 6]) -> Matrix {
         let mut sum = Matrix::zeros(self.coefficients[0].rows(), self.coefficients[0].cols());
         for (c, x) in self.coefficients.iter().zip(monomials) {
             for (s, c) in sum.as_mut_slice().iter_mut().zip(c.as_slice()) {
@@ -125,6 +134,43 @@ impl ShapeForm {
             }
         }
         Ok(Self { left: left.grams, right: right.grams, terms })
+    }
+}
+
+impl ShapeForm {
+    /// Q at shape (α1, α2, β1, β2): over all points of the net, row by row; symmetric, positive semidefinite.
+    pub fn matrix(&self, [a1, a2, b1, b2]: [f64; 4]) -> Matrix {
+        let left: Vec<Matrix> = self.left.iter().map(|gram| gram.at([a1, a2])).collect();
+        let right: Vec<Matrix> = self.right.iter().map(|gram| gram.at([b1, b2])).collect();
+        self.assembled(&left, &right)
+    }
+
+    /// ∂Q by the shape parameter of index `k` in 0 … 3 at a shape: symmetric.
+    pub fn derivative(&self, [a1, a2, b1, b2]: [f64; 4], k: usize) -> Matrix {
+        let of = |grams: &[GramPolynomial], shape: [f64; 2], by: Option<usize>| -> Vec<Matrix> {
+            grams
+                .iter()
+                .map(|gram| by.map_or_else(|| gram.at(shape), |k| gram.derivative(shape, k)))
+                .collect()
+        };
+        let (by_left, by_right) = if k < 2 { (Some(k), None) } else { (None, Some(k - 2)) };
+        self.assembled(&of(&self.left, [a1, a2], by_left), &of(&self.right, [b1, b2], by_right))
+    }
+
+    fn assembled(&self, left: &[Matrix], right: &[Matrix]) -> Matrix {
+        let (rows, cols) = (left[0].rows(), right[0].rows());
+        let mut sum = Matrix::zeros(rows * cols, rows * cols);
+        for term in &self.terms {
+            let (f, g) = (&left[term.left], &right[term.right]);
+            for i in 0..rows * cols {
+                let (row_f, row_g) = (f.row(i / cols), g.row(i % cols));
+                let row = sum.row_mut(i);
+                for (j, sum) in row.iter_mut().enumerate() {
+                    *sum += term.coefficient * row_f[j / cols] * row_g[j % cols];
+                }
+            }
+        }
+        sum
     }
 }
 

@@ -56,7 +56,7 @@ impl<'a> LeastArea<'a> {
     }
 
     /// The extremal at one shape and its area.
-    fn extremal(&self, shape: [f64; 4]) -> Result<(TensorPatch, energy::Integral), MethodError> {
+    pub(super) fn extremal(&self, shape: [f64; 4]) -> Result<(TensorPatch, energy::Integral), MethodError> {
         let patch = with_shape(self.net.clone(), &self.method, Some(shape))?;
         let found = least_area(&patch, self.method.tolerance, &self.watch);
         self.watch.end();
@@ -64,7 +64,13 @@ impl<'a> LeastArea<'a> {
         Ok((patch, found.area))
     }
 
-    fn derivative(&self, patch: &TensorPatch, k: usize, points: usize) -> Result<f64, MethodError> {
+    /// The derivative of the area of `patch` by shape parameter `k`, the net held, by the rule of `points`² points.
+    pub(super) fn derivative(
+        &self,
+        patch: &TensorPatch,
+        k: usize,
+        points: usize,
+    ) -> Result<f64, MethodError> {
         let (m, n) = self.net.degrees();
         let moving = self.derivatives[k].clone();
         let tb_coons = self.method.patch == Patch::TbCoons;

@@ -8,6 +8,7 @@ use solve::{
 };
 use surfaces::Net;
 
+use super::composed::Composed;
 use super::least_area::LeastArea;
 use crate::interior::extremal::prefers_separable;
 use crate::{Arithmetic, Energy, Method, MethodError, Patch, Progress, SolverChoice};
@@ -20,6 +21,8 @@ pub(super) enum Reduced<'a> {
     Separable(Box<SeparableParametric>),
     /// The least area over the border: a minimisation at every shape.
     Area(Box<LeastArea<'a>>),
+    /// Another energy than the one whose extremal is taken.
+    Composed(Box<Composed<'a>>),
 }
 
 impl<'a> Reduced<'a> {
@@ -29,10 +32,9 @@ impl<'a> Reduced<'a> {
         arithmetic: Arithmetic,
         progress: &'a dyn Progress,
     ) -> Result<Self, MethodError> {
-        if method.extremal_energy().is_some_and(|energy| energy != method.search_energy) {
-            return Err(MethodError::Unavailable {
-                what: "a search-energy other than the energy whose extremal is taken",
-            });
+        if let Some(energy) = method.extremal_energy().filter(|&energy| energy != method.search_energy) {
+            let (inner, outer) = (energy.functional(), method.search_energy.functional());
+            return Ok(Self::Composed(Box::new(Composed::new(net, method, inner, outer, progress)?)));
         }
         let Some(energy) = method.search_energy.functional() else {
             return Ok(Self::Area(Box::new(LeastArea::new(net, method, progress)?)));
@@ -78,6 +80,7 @@ impl<'a> Reduced<'a> {
             Self::Parametric(_) => "parametric",
             Self::Separable(_) => "separable",
             Self::Area(_) => "newton",
+            Self::Composed(_) => "composed",
         }
     }
 
@@ -88,7 +91,7 @@ impl<'a> Reduced<'a> {
                 Path::Fma => "fma",
                 Path::Portable => "portable",
             },
-            Self::Separable(_) | Self::Area(_) => "native",
+            Self::Separable(_) | Self::Area(_) | Self::Composed(_) => "native",
         }
     }
 }
@@ -136,6 +139,10 @@ impl Objective for Reduced<'_> {
                 least.evaluate(points, values);
                 Ok(())
             }
+            Self::Composed(composed) => {
+                composed.evaluate(points, values);
+                Ok(())
+            }
         };
         // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
         if evaluated.is_err() {
@@ -155,6 +162,7 @@ impl Smooth for Reduced<'_> {
             Self::Parametric(system) => system.value_and_gradient(&shape, &mut by_shape),
             Self::Separable(system) => system.value_and_gradient(&shape, &mut by_shape),
             Self::Area(least) => return least.value_and_gradient(point, gradient),
+            Self::Composed(composed) => return composed.value_and_gradient(point, gradient),
         };
         gradient.copy_from_slice(&by_shape);
         value
