@@ -12,7 +12,7 @@ use crate::printable::stand_ins;
 
 mod nearest;
 
-pub(crate) use nearest::nearest;
+pub(crate) use nearest::{nearest, shorten};
 
 /// Diagnostics shown for one file; further ones are only counted.
 const MOST_SHOWN: usize = 10;

@@ -23,7 +23,7 @@ impl Format {
 
     /// The format's name in experiment files, which is also its file extension.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Obj => "obj",
             Self::Ply => "ply",

@@ -40,6 +40,7 @@ mod file_name;
 mod folder;
 mod format;
 mod import;
+mod keys;
 mod limits;
 mod manifest;
 mod number;
@@ -54,8 +55,8 @@ mod result_reader;
 mod run;
 mod scene;
 mod schema;
-mod spec;
 mod template;
+mod text;
 mod verification;
 
 pub use atomic::Claim;
@@ -77,6 +78,6 @@ pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, repr
 pub use result::{ResultFile, SCHEMA};
 pub use result_reader::{ReadError, StoredMethod, StoredResult};
 pub use run::{Finished, Missed, Options, run, run_kept};
-pub use schema::EXPERIMENT_SCHEMA;
+pub use schema::experiment_schema;
 pub use template::Template;
 pub use verification::{Difference, Level, Verification, Verified, VerifyError, verify};

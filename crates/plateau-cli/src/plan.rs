@@ -5,31 +5,25 @@
 //! Points are plain `[x, y, z]`, finite, with |coordinate| ≤ [`MAX_COORDINATE`](plateau::MAX_COORDINATE).
 
 mod boundary;
-mod check;
 mod curve;
 mod expected;
+mod experiment;
 mod file;
 mod helicoid;
 mod interior;
 mod memory;
 mod method;
-mod number;
 mod patch;
 mod search;
 mod shape;
 
-pub(crate) use file::stem;
+pub(crate) use experiment::stem;
 
 use plateau::{Curve, Helicoid, TrapeziumHelicoid};
 
 use crate::Format;
 pub use expected::{Expected, Published, Wanted};
 pub use patch::PatchExperiment;
-
-use crate::limits::MAX_FILE_SIZE;
-
-/// Most subdivisions of a mesh per side.
-const LARGEST_MESH: usize = 2000;
 
 /// One experiment, checked and ready to run.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,11 +70,4 @@ pub struct Output {
     pub pictures: bool,
     /// Largest distance between a fitted surface in a STEP file and the patch, as a share of its size, in (0, 1].
     pub step_tolerance: f64,
-}
-
-impl Default for Output {
-    /// 48 subdivisions, no export, pictures and report.
-    fn default() -> Self {
-        Self { mesh: 48, formats: Vec::new(), pictures: true, step_tolerance: crate::DEFAULT_TOLERANCE }
-    }
 }

@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use plateau_cli::{EXPERIMENT_SCHEMA, Plan, Template};
+use plateau_cli::{Plan, Template, experiment_schema};
 use serde_json::Value;
 
 fn schema() -> Value {
-    serde_json::from_str(EXPERIMENT_SCHEMA).expect("the schema is JSON")
+    serde_json::from_str(&experiment_schema()).expect("the schema is JSON")
 }
 
 fn follow<'a>(root: &'a Value, schema: &'a Value) -> &'a Value {
@@ -60,6 +60,9 @@ fn validate(root: &Value, schema: &Value, value: &Value, path: &str) -> Result<(
             "exclusiveMinimum" if number().is_some_and(|(x, bound)| x <= bound) => {
                 return fail(format!("{value} ≤ {rule}"));
             }
+            "exclusiveMaximum" if number().is_some_and(|(x, bound)| x >= bound) => {
+                return fail(format!("{value} ≥ {rule}"));
+            }
             "minItems" if length.is_some_and(|(n, bound)| (n as u64) < bound) => {
                 return fail("too short".into());
             }
@@ -67,7 +70,8 @@ fn validate(root: &Value, schema: &Value, value: &Value, path: &str) -> Result<(
                 return fail("too long".into());
             }
             "minLength" if value.as_str().is_some_and(str::is_empty) => return fail("empty".into()),
-            "minimum" | "maximum" | "exclusiveMinimum" | "minItems" | "maxItems" | "minLength" => {}
+            "minimum" | "maximum" | "exclusiveMinimum" | "exclusiveMaximum" | "minItems" | "maxItems"
+            | "minLength" => {}
             "items" => {
                 for (k, item) in value.as_array().into_iter().flatten().enumerate() {
                     validate(root, rule, item, &format!("{path}[{k}]"))?;
@@ -183,9 +187,9 @@ fn tables(schema: &Value) -> Vec<(&'static str, &Value)> {
         ("trapezium-helicoid", at("/properties/trapezium-helicoid")),
         ("curve", at("/properties/curve")),
         ("output", at("/properties/output")),
-        ("method.expect", at("/$defs/expect")),
-        ("method.published", at("/$defs/published")),
-        ("method.expect.area", at("/$defs/expected/anyOf/2")),
+        ("method.expect", at("/properties/method/items/properties/expect")),
+        ("method.published", at("/properties/method/items/properties/published/anyOf/0")),
+        ("method.expect.area", at("/properties/expect/properties/area/anyOf/2")),
     ]
 }
 
@@ -255,4 +259,40 @@ fn every_key_is_explained() {
             assert!(described(rule) || described(follow(&schema, rule)), "{name}.{key}");
         }
     }
+}
+
+/// The program's bounds: at each bound of the schema a value is not refused for its size, and beyond it, it is.
+#[test]
+fn the_bounds_are_those_of_the_parser() {
+    let schema = schema();
+    let mut checked = 0;
+    for (name, table) in tables(&schema) {
+        for (key, rule) in table["properties"].as_object().unwrap() {
+            let beyond = |bound: f64, out: f64| bound + out * (1e-9 * bound.abs()).max(1e-9);
+            for (keyword, out) in [("minimum", -1.0), ("maximum", 1.0)] {
+                let Some(bound) = rule[keyword].as_f64() else { continue };
+                let whole = rule["type"] == "integer";
+                let (at, past) = match whole {
+                    true => (
+                        rule[keyword].to_string(),
+                        (rule[keyword].as_i64().unwrap() as i128 + out as i128).to_string(),
+                    ),
+                    false => (format!("{bound:e}"), format!("{:e}", beyond(bound, out))),
+                };
+                let faults = |value: &str| {
+                    let probe = probe(name, &format!("{key} = {value}"));
+                    let found = Plan::parse("probe.toml", &probe).err();
+                    let named = format!("`{key}`");
+                    let refused = |d: &plateau_cli::Diagnostic| {
+                        d.message().starts_with(&named) && d.message().contains(" must ")
+                    };
+                    found.is_some_and(|refusal| refusal.diagnostics().iter().any(refused))
+                };
+                assert!(!faults(&at), "{name}.{key} = {at} is refused");
+                assert!(faults(&past), "{name}.{key} = {past} is not refused");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked >= 40, "{checked}");
 }

@@ -38,7 +38,7 @@ pub enum Quantity {
 impl Quantity {
     /// The name in experiment files (the same for every index).
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Dirichlet => "dirichlet",
             Self::Area => "area",
@@ -54,6 +54,27 @@ impl Quantity {
             Self::Shape(_) => "shape",
             Self::SearchMinimum => "search-minimum",
             Self::Curvature(_) => "curvature",
+        }
+    }
+
+    /// The same figure at an index, if it has one.
+    #[must_use]
+    pub fn at(self, index: usize) -> Self {
+        match self {
+            Self::Shape(_) => Self::Shape(index),
+            Self::Curvature(_) => Self::Curvature(index),
+            Self::Dirichlet
+            | Self::Area
+            | Self::LaplacianDefect
+            | Self::Bending
+            | Self::ConformalityGap
+            | Self::MeanCurvatureMax
+            | Self::MeanCurvatureRms
+            | Self::Residual
+            | Self::BoundaryDeviation
+            | Self::HarmonicBound
+            | Self::Deviation
+            | Self::SearchMinimum => self,
         }
     }
 }

@@ -1,204 +1,127 @@
 //! `[curve]`.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use bases::{Aht, At};
+use plateau::{Curve, CurveBasis, MAX_DEGREE};
 use serde_spanned::Spanned;
 
 use super::Wanted;
-use super::boundary::points;
-use super::check::{Check, Table, top};
-use super::expected::check::Subject;
-use super::helicoid::expectations;
-use super::number::{counted, shown};
+use super::expected::check::{Subject, wanted};
 use super::shape::shape_parameters;
-use crate::diagnostic::{Diagnostic, Fault};
-use crate::spec::{CurveSpec, ExpectSpec, Key, Samples, Section};
-use plateau::{Curve, CurveBasis, MAX_DEGREE};
-
-/// Largest |coordinate| of a point: its square stays finite. Derivatives that do not are told apart when they are computed.
-const LARGEST_COORDINATE: f64 = 1e150;
-
-/// Most samples of a curve.
-const MOST_SAMPLES: usize = 100_000;
-
-/// Samples of a curve that does not say how many.
-const SAMPLES: usize = 101;
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Family {
-    Bernstein,
-    Gt,
-    Aht,
-    At,
-}
+use crate::keys::curve::{BASIS, Family, POINTS, SAMPLES, SHAPE, SPAN, Sampling};
+use crate::text::{Given, Interval, PointList, Table, counted, shown};
 
 /// Checks `[curve]`.
-pub(super) fn curve(
-    check: &mut Check<'_>,
-    spec: &Spanned<Section<CurveSpec>>,
-    expect: &Key<Section<ExpectSpec>>,
-) -> Option<(Curve, Wanted)> {
-    let table = check.table("[curve]", spec.span(), &top("curve"));
-    let spec = spec.get_ref();
-    let names =
-        [("bernstein", Family::Bernstein), ("gt", Family::Gt), ("aht", Family::Aht), ("at", Family::At)];
-    let basis_help = "write basis = \"bernstein\", \"gt\", \"aht\" or \"at\"";
-    let family = check
-        .required(&table, "basis", &spec.basis, basis_help)
-        .and_then(|key| check.choice(&table, "basis", key, &names));
-    let basis = family.and_then(|family| basis(check, &table, spec, family));
-    let points_help = "give the control points: points = [[0, 0], [1, 2], [3, 2], [4, 0]]";
-    let control = check.required(&table, "points", &spec.points, points_help).and_then(|key| {
-        let admitted = match family {
-            Some(Family::Aht | Family::At) => 6..=6,
-            Some(Family::Gt) => 3..=MAX_DEGREE + 1,
-            Some(Family::Bernstein) | None => 2..=MAX_DEGREE + 1,
-        };
-        let control = points(check, "`points` in [curve]", key, &[2, 3], admitted, LARGEST_COORDINATE)?;
-        let dimension = common_dimension(check, spec)?;
-        Some((control, dimension))
+pub(super) fn curve(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(Curve, Wanted)> {
+    let family = table.require(&BASIS);
+    let shape = table.take(&SHAPE);
+    let span = table.take(&SPAN);
+    let points = table.require(&POINTS);
+    let samples = table.take(&SAMPLES);
+    let basis = family.as_ref().and_then(|family| basis(table, family, &shape, &span));
+    let points = points.filter(|points| match &family {
+        Some(family) => is_number_of_points(table, points, *family.get_ref()),
+        None => true,
     });
-    let samples = basis.and_then(|basis| samples(check, &table, spec, basis.domain()));
-    let expect = match &samples {
-        Some(samples) => expectations(check, expect, Subject::Curve { samples: samples.len() }),
-        None => None,
-    };
-    let (points, dimension) = control?;
-    Some((Curve { basis: basis?, points, dimension, samples: samples? }, expect?))
+    let samples = basis.and_then(|basis| parameters(table, &samples, basis.domain()));
+    let subject = samples.as_ref().map(|samples| Subject::Curve { samples: samples.len() });
+    let wanted = wanted(expect, subject);
+    let PointList { points, dimension, .. } = points?.into_inner();
+    let points = points.into_iter().map(Spanned::into_inner).collect();
+    Some((Curve { basis: basis?, points, dimension, samples: samples? }, wanted?))
 }
 
-fn basis(check: &mut Check<'_>, table: &Table, spec: &CurveSpec, family: Family) -> Option<CurveBasis> {
-    let name = spec.basis.as_ref().map_or("", |key| key.get_ref().0.as_str());
-    let superfluous = match family {
-        Family::Bernstein => spec
-            .shape
-            .as_ref()
-            .map(|key| ("shape", key.span()))
-            .or(spec.span.as_ref().map(|key| ("span", key.span()))),
-        Family::Gt => spec.span.as_ref().map(|key| ("span", key.span())),
-        Family::Aht | Family::At => spec.shape.as_ref().map(|key| ("shape", key.span())),
+fn basis(
+    table: &Table<'_>,
+    family: &Spanned<Family>,
+    shape: &Given<Vec<Spanned<f64>>>,
+    span: &Given<f64>,
+) -> Option<CurveBasis> {
+    let has = |key: &'static str| table.place(&[key]).map(|span| (key, span));
+    let superfluous = match family.get_ref() {
+        Family::Bernstein => has("shape").or(has("span")),
+        Family::Gt => has("span"),
+        Family::Aht | Family::At => has("shape"),
     };
-    if let Some((key, span)) = superfluous {
-        check.report(
-            Diagnostic::at(
-                Fault::Conflict,
-                span,
-                format!("[curve] has a `{key}`, which basis = \"{name}\" does not take"),
-                "not for this basis",
-            )
-            .help("`shape` belongs to basis = \"gt\", `span` to \"aht\" and \"at\"; take the key out or change the basis"),
+    if let Some((key, place)) = superfluous {
+        let said = table.faults().excerpt(&family.span());
+        table.faults().clash(
+            (place, "not for this basis"),
+            format!("[curve] has a `{key}`, which basis = {said} does not take"),
+            "`shape` belongs to basis = \"gt\", `span` to \"aht\" and \"at\"; take the key out or change the basis",
         );
         return None;
     }
-    match family {
+    match family.get_ref() {
         Family::Bernstein => Some(CurveBasis::Bernstein),
         Family::Gt => {
-            let help = "the GT basis has two shape parameters, each in [0, 4]: shape = [1.0, 2.0]";
-            let key = check.required(table, "shape", &spec.shape, help)?;
-            let shape = shape_parameters(check, table, key, "shape = [theta1, theta2]")?;
-            Some(CurveBasis::Gt { shape })
+            if shape.is_absent() {
+                let help = "the GT basis has two shape parameters, each in [0, 4]: shape = [1.0, 2.0]";
+                table.missing("shape", help);
+            }
+            let Given::Sound(shape) = shape else { return None };
+            Some(CurveBasis::Gt { shape: shape_parameters(table, shape)? })
         }
-        Family::Aht => {
-            span(check, table, spec, Aht::MIN_SPAN..Aht::SUPREMUM, "").map(|span| CurveBasis::Aht { span })
-        }
-        Family::At => {
-            span(check, table, spec, At::MIN_SPAN..At::SUPREMUM, "2π = ").map(|span| CurveBasis::At { span })
-        }
+        Family::Aht => length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM).map(|span| CurveBasis::Aht { span }),
+        Family::At => length(table, span, At::MIN_SPAN..At::SUPREMUM).map(|span| CurveBasis::At { span }),
     }
 }
 
-fn span(
-    check: &mut Check<'_>,
-    table: &Table,
-    spec: &CurveSpec,
-    admitted: Range<f64>,
-    name_of_bound: &str,
-) -> Option<f64> {
+/// The length of the domain, below the bound of its basis.
+fn length(table: &Table<'_>, span: &Given<f64>, admitted: Range<f64>) -> Option<f64> {
     let help = "the basis lives on [0, span] and becomes negative beyond this bound: split a longer curve into several";
-    let key = check.required(table, "span", &spec.span, help)?;
-    let set = format!("above 0 (at least {:e}) and below {name_of_bound}{:.9}", admitted.start, admitted.end);
-    check.number(table, "span", key, (|x| admitted.contains(&x), &set), help)
-}
-
-/// The one number of coordinates all points have.
-fn common_dimension(check: &mut Check<'_>, spec: &CurveSpec) -> Option<usize> {
-    let list = &spec.points.as_ref()?.get_ref().0;
-    let first = list.first()?;
-    let dimension = first.get_ref().0.len();
-    match list.iter().find(|point| point.get_ref().0.len() != dimension) {
-        None => Some(dimension),
-        Some(other) => {
-            check.conflict(
-                (other.span(), &counted(other.get_ref().0.len(), "coordinate")),
-                (first.span(), &counted(dimension, "coordinate")),
-                "`points` in [curve] mixes planar and space points",
-                "give every point 2 coordinates (signed curvature) or every point 3",
-            );
-            None
-        }
+    if span.is_absent() {
+        table.missing("span", help);
     }
+    let (length, place) = (*span.value()?, span.span()?);
+    let interval = Interval::below(admitted.start, admitted.end);
+    if interval.holds(length) {
+        return Some(length);
+    }
+    let message = format!("`span` in [curve] must {interval}");
+    table.faults().inadmissible(place, message, format!("this is {}", shown(length)), help);
+    None
 }
 
-fn samples(
-    check: &mut Check<'_>,
-    table: &Table,
-    spec: &CurveSpec,
-    [start, end]: [f64; 2],
-) -> Option<Vec<f64>> {
+/// Whether there are as many points as the basis has functions.
+fn is_number_of_points(table: &Table<'_>, points: &Spanned<PointList>, family: Family) -> bool {
+    let admitted: RangeInclusive<usize> = match family {
+        Family::Aht | Family::At => 6..=6,
+        Family::Gt => 3..=MAX_DEGREE + 1,
+        Family::Bernstein => 2..=MAX_DEGREE + 1,
+    };
+    let count = points.get_ref().points.len();
+    if admitted.contains(&count) {
+        return true;
+    }
+    let found = counted(count, "point");
+    let help = match family {
+        Family::Aht | Family::At => "give exactly 6 points: the basis has six functions",
+        Family::Gt | Family::Bernstein => "give at least 3 points: the GT basis begins at degree 2",
+    };
+    table.faults().inadmissible(points.span(), format!("`points` in [curve] has {found}"), found, help);
+    false
+}
+
+/// The parameters of the samples, all of them in the domain.
+fn parameters(table: &Table<'_>, samples: &Given<Sampling>, [start, end]: [f64; 2]) -> Option<Vec<f64>> {
     let equal = |count: usize| -> Vec<f64> {
         (0..count).map(|k| start + (end - start) * (k as f64 / (count - 1) as f64)).collect()
     };
-    let help = format!(
-        "give a count of 2 or more, samples = 101, or a list of parameters in [{}, {}]",
-        shown(start),
-        shown(end)
-    );
-    let Some(key) = &spec.samples else { return Some(equal(SAMPLES)) };
-    match key.get_ref() {
-        Samples::Count(count) => match usize::try_from(*count) {
-            Ok(count) if (2..=MOST_SAMPLES).contains(&count) => Some(equal(count)),
-            _ => {
-                check.inadmissible(
-                    key.span(),
-                    format!("`samples` in {} must be a count between 2 and {MOST_SAMPLES}", table.name),
-                    format!("this is {count}"),
-                    help,
-                );
-                None
-            }
-        },
-        Samples::Parameters(list) if list.is_empty() || list.len() > MOST_SAMPLES => {
-            check.inadmissible(
-                key.span(),
-                format!("`samples` in {} has {} parameters", table.name, list.len()),
-                format!("expected between 1 and {MOST_SAMPLES}"),
-                help,
-            );
-            None
-        }
-        Samples::Parameters(list) => {
-            let mut parameters = Vec::with_capacity(list.len());
-            for parameter in list {
-                let t = parameter.get_ref().0;
-                if !(start..=end).contains(&t) {
-                    check.inadmissible(
-                        parameter.span(),
-                        format!(
-                            "a sample of {} lies outside the domain [{}, {}]: {}",
-                            table.name,
-                            shown(start),
-                            shown(end),
-                            shown(t)
-                        ),
-                        "outside the domain",
-                        help,
-                    );
-                    return None;
-                }
-                parameters.push(t);
-            }
-            Some(parameters)
-        }
+    let list = match table.or_default(&SAMPLES, samples)? {
+        Sampling::Count(count) => return Some(equal(count)),
+        Sampling::Parameters(list) => list,
+    };
+    let domain = format!("[{}, {}]", shown(start), shown(end));
+    if let Some(outside) = list.iter().find(|t| !(start..=end).contains(t.get_ref())) {
+        table.faults().inadmissible(
+            outside.span(),
+            format!("a sample of [curve] lies outside the domain {domain}: {}", shown(*outside.get_ref())),
+            "outside the domain",
+            format!("give a count of 2 or more, samples = 101, or a list of parameters in {domain}"),
+        );
+        return None;
     }
+    Some(list.into_iter().map(Spanned::into_inner).collect())
 }

@@ -4,22 +4,12 @@ use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use serde_spanned::Spanned;
-
-use super::boundary::{Sides, boundary};
-use super::check::{Check, Table, top};
-use super::curve::curve;
-use super::helicoid::{helicoid, trapezium};
-use super::memory::fits;
-use super::method::methods;
-use super::search::search;
-use super::{Experiment, Format, LARGEST_MESH, MAX_FILE_SIZE, Output, PatchExperiment, Plan, Wanted};
+use super::Plan;
+use super::experiment::plan;
 use crate::diagnostic::{Diagnostic, Fault, Refusal};
-use crate::spec::{self, OutputSpec, Reading, Section, Spec};
-use plateau::Search;
-
-const KINDS: &str =
-    "an experiment holds one of [boundary] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]";
+use crate::keys::EXPERIMENT;
+use crate::limits::MAX_FILE_SIZE;
+use crate::text::{self, Faults, Table};
 
 impl Plan {
     /// Reads and checks an experiment file.
@@ -45,10 +35,10 @@ impl Plan {
     /// gamma = [0.0, 1.0]
     /// beta = [0.0, 0.0]
     /// "#;
-    /// let plan = plateau_cli::Plan::parse("half-turn.toml", text).unwrap();
+    /// let plan = plateau::Plan::parse("half-turn.toml", text).unwrap();
     /// assert_eq!((plan.stem.as_str(), plan.seed), ("half-turn", 0));
     ///
-    /// let refusal = plateau_cli::Plan::parse("half-turn.toml", &text.replace("span", "spam")).unwrap_err();
+    /// let refusal = plateau::Plan::parse("half-turn.toml", &text.replace("span", "spam")).unwrap_err();
     /// assert!(refusal.to_string().contains("half-turn.toml:4:1"));
     /// assert!(refusal.to_string().contains("did you mean `span`?"));
     /// ```
@@ -60,11 +50,11 @@ impl Plan {
         if text.len() as u64 > MAX_FILE_SIZE {
             return Err(Refusal::new(file, "", vec![too_large(text.len() as u64)]));
         }
-        let Reading { spec, diagnostics, removed } = spec::read(text);
-        let Some(spec) = spec else { return Err(Refusal::new(file, text, diagnostics)) };
-        let mut check = Check::new(text, diagnostics, removed);
-        let plan = plan(&mut check, &spec, file);
-        let diagnostics = check.finish();
+        let document =
+            text::parse(text, &EXPERIMENT).map_err(|diagnostics| Refusal::new(file, text, diagnostics))?;
+        let faults = Faults::new(text);
+        let plan = plan(&Table::root(&faults, &EXPERIMENT, &document), file);
+        let diagnostics = faults.finish();
         match plan {
             Some(plan) if diagnostics.is_empty() => Ok(plan),
             _ => Err(Refusal::new(file, text, diagnostics)),
@@ -138,203 +128,4 @@ fn too_large(size: u64) -> Diagnostic {
         format!("the file has {size} bytes or more, above the limit of {MAX_FILE_SIZE} (1 MiB)"),
     )
     .help("split it into several experiments; the sides of a net of the highest degree take 20 kilobytes")
-}
-
-fn plan(check: &mut Check<'_>, spec: &Spec, file: &str) -> Option<Plan> {
-    let root = check.table("the experiment", 0..0, &[]);
-    let title_help = "begin the file with title = \"…\": it heads the table of results";
-    let title = check
-        .required(&root, "title", &spec.title, title_help)
-        .and_then(|key| check.name(&root, "title", key, title_help));
-    let seed = seed(check, spec);
-    let output = match &spec.output {
-        Some(key) => output(check, key),
-        None => Some(Output::default()),
-    };
-    let experiment = experiment(check, spec, &root);
-    if let (Some((experiment, _)), Some(output)) = (&experiment, &output) {
-        fits(check, spec, experiment, output.mesh);
-    }
-    let (experiment, wanted) = experiment?;
-    Some(Plan {
-        title: title?,
-        seed: seed?,
-        stem: stem(file),
-        file: file.to_owned(),
-        experiment,
-        wanted,
-        output: output?,
-        text: check.text.to_owned(),
-    })
-}
-
-/// The file name without its folders and its last extension; never empty, and no name of a folder above (`...toml`).
-pub(crate) fn stem(file: &str) -> String {
-    Path::new(file)
-        .file_stem()
-        .map(|stem| stem.to_string_lossy().into_owned())
-        .filter(|stem| !matches!(stem.as_str(), "" | "." | ".."))
-        .unwrap_or_else(|| "experiment".to_owned())
-}
-
-fn seed(check: &mut Check<'_>, spec: &Spec) -> Option<u64> {
-    let Some(key) = &spec.seed else { return Some(0) };
-    let value = key.get_ref().0;
-    match i64::try_from(value).ok().and_then(|seed| u64::try_from(seed).ok()) {
-        Some(seed) => Some(seed),
-        None => {
-            check.inadmissible(
-                key.span(),
-                "`seed` must lie between 0 and 2^63 - 1 = 9223372036854775807",
-                format!("this is {value}"),
-                "any whole number will do: the same seed gives the same result; without one the seed is 0",
-            );
-            None
-        }
-    }
-}
-
-fn output(check: &mut Check<'_>, key: &Spanned<Section<OutputSpec>>) -> Option<Output> {
-    let table = check.table("[output]", key.span(), &top("output"));
-    let spec = key.get_ref();
-    let mut output = Output::default();
-    let mut sound = true;
-    if let Some(key) = &spec.mesh {
-        let help = "it is the number of subdivisions of each side of the surface mesh; 48 is the default";
-        match check.count(&table, "mesh", key, 2..=LARGEST_MESH, help) {
-            Some(mesh) => output.mesh = mesh,
-            None => sound = false,
-        }
-    }
-    if let Some(key) = &spec.pictures {
-        output.pictures = key.get_ref().0;
-    }
-    if let Some(key) = &spec.step_tolerance {
-        let help = "it is the largest distance between a fitted surface in a STEP file and the patch, as a share of the patch's \
-                    size; 1e-6 is the default";
-        let admitted = (|x| x > 0.0 && x <= 1.0, "above 0 and at most 1");
-        match check.number(&table, "step-tolerance", key, admitted, help) {
-            Some(tolerance) => output.step_tolerance = tolerance,
-            None => sound = false,
-        }
-    }
-    let names = Format::ALL.map(|format| (format.name(), format));
-    for name in spec.formats.iter().flat_map(|key| &key.get_ref().0) {
-        match check.choice(&table, "formats", name, &names) {
-            Some(format) if output.formats.contains(&format) => {}
-            Some(format) => output.formats.push(format),
-            None => sound = false,
-        }
-    }
-    sound.then_some(output)
-}
-
-fn experiment(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<(Experiment, Vec<Wanted>)> {
-    let headers: Vec<(&str, std::ops::Range<usize>)> = [
-        spec.boundary.as_ref().map(|key| ("[boundary]", key.span())),
-        spec.helicoid.as_ref().map(|key| ("[helicoid]", key.span())),
-        spec.trapezium_helicoid.as_ref().map(|key| ("[trapezium-helicoid]", key.span())),
-        spec.curve.as_ref().map(|key| ("[curve]", key.span())),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
-    if let [(first, first_span), (second, second_span), ..] = headers.as_slice() {
-        check.conflict(
-            (second_span.clone(), "a second subject"),
-            (first_span.clone(), "the first subject"),
-            format!("one experiment holds both {first} and {second}"),
-            format!("put them into two files; {KINDS}"),
-        );
-        return None;
-    }
-    if let (Some((subject, at)), None) = (headers.first(), &spec.boundary) {
-        let strays = [
-            spec.method.as_ref().map(|key| ("[[method]]", key.span())),
-            spec.search.as_ref().map(|key| ("[search]", key.span())),
-        ];
-        for (stray, span) in strays.into_iter().flatten() {
-            check.conflict(
-                (span, "only beside [boundary]"),
-                (at.clone(), "the subject of this experiment"),
-                format!("{stray} does not belong to a {subject} experiment"),
-                format!("take {stray} out: {subject} says everything by itself"),
-            );
-        }
-    }
-    if let Some(key) = &spec.helicoid {
-        return helicoid(check, key, &spec.expect)
-            .map(|(it, wanted)| (Experiment::Helicoid(it), vec![wanted]));
-    }
-    if let Some(key) = &spec.trapezium_helicoid {
-        return trapezium(check, key, &spec.expect)
-            .map(|(it, wanted)| (Experiment::TrapeziumHelicoid(it), vec![wanted]));
-    }
-    if let Some(key) = &spec.curve {
-        return curve(check, key, &spec.expect).map(|(it, wanted)| (Experiment::Curve(it), vec![wanted]));
-    }
-    patches(check, spec, root).map(|(it, wanted)| (Experiment::Patch(it), wanted))
-}
-
-fn nothing(check: &mut Check<'_>, root: &Table) {
-    if !root.damaged {
-        let label = "the experiment has no subject";
-        check.report(
-            Diagnostic::at(Fault::Missing, root.span.clone(), "there is nothing to compute", label)
-                .help(KINDS),
-        );
-    }
-}
-
-fn patches(check: &mut Check<'_>, spec: &Spec, root: &Table) -> Option<(PatchExperiment, Vec<Wanted>)> {
-    if let Some(key) = &spec.expect {
-        let help = "write [method.expect] below the [[method]] it belongs to";
-        check.report(
-            Diagnostic::at(
-                Fault::Conflict,
-                key.span(),
-                "[expect] stands beside methods",
-                "expected by which method?",
-            )
-            .help(help),
-        );
-    }
-    let search = match &spec.search {
-        Some(key) => search(check, key),
-        None => Some(Search::default()),
-    };
-    let sides = match &spec.boundary {
-        Some(key) => boundary(check, key),
-        None => {
-            if spec.method.is_some() {
-                check.missing(
-                    root,
-                    "[boundary]",
-                    "the methods need a boundary: give u0, u1, v0, v1, or ab, bc, ca",
-                );
-            } else {
-                nothing(check, root);
-            }
-            Sides { kind: None, header: 0..0, boundary: None }
-        }
-    };
-    let example =
-        "add a table [[method]] with name = \"…\", basis = \"bernstein\" and energy = \"dirichlet\"";
-    let methods = match &spec.method {
-        Some(key) if key.get_ref().is_empty() => {
-            check.inadmissible(key.span(), "the list of methods is empty", "no method", example);
-            None
-        }
-        Some(key) => methods(check, key, &sides),
-        None => {
-            if spec.boundary.is_some() && !check.was_removed(&top("method")) {
-                let table = check.table("the experiment", sides.header.clone(), &top("method"));
-                check.missing(&table, "[[method]]", example);
-            }
-            None
-        }
-    };
-    let (boundary, search) = (sides.boundary?, search?);
-    let (methods, wanted) = methods?.into_iter().unzip();
-    Some((PatchExperiment { boundary, methods, search }, wanted))
 }

@@ -1,12 +1,10 @@
 //! What an experiment keeps until it ends: meshes, patches, histories of searches. Each is bounded by itself; here, together.
 
-use serde_spanned::Spanned;
-
-use super::check::Check;
-use super::number::counted;
-use super::{Experiment, LARGEST_MESH, PatchExperiment};
-use crate::spec::Spec;
 use plateau::{Helicoid, SearchMode, Shape};
+
+use super::{Experiment, PatchExperiment};
+use crate::keys::output::LARGEST_MESH;
+use crate::text::{Table, counted};
 
 /// Most vertices in the meshes of all frames of a deformation.
 const MOST_VERTICES_OF_FRAMES: usize = (LARGEST_MESH + 1).pow(2);
@@ -21,28 +19,27 @@ const MOST_PATCHES: usize = 20_000;
 const MOST_HISTORY: usize = 1_500_000;
 
 /// Refuses an experiment that would keep too much at once.
-pub(super) fn fits(check: &mut Check<'_>, spec: &Spec, experiment: &Experiment, mesh: usize) {
+pub(super) fn fits(root: &Table<'_>, experiment: &Experiment, mesh: usize) {
     match experiment {
-        Experiment::Helicoid(helicoid) => frames_fit(check, spec, helicoid, mesh),
+        Experiment::Helicoid(helicoid) => frames_fit(root, helicoid, mesh),
         Experiment::Patch(experiment) => {
-            meshes_fit(check, spec, experiment.methods.len(), mesh);
-            histories_fit(check, spec, experiment);
+            meshes_fit(root, experiment.methods.len(), mesh);
+            histories_fit(root, experiment);
         }
         Experiment::TrapeziumHelicoid(_) | Experiment::Curve(_) => {}
     }
 }
 
-fn frames_fit(check: &mut Check<'_>, spec: &Spec, helicoid: &Helicoid, mesh: usize) {
+fn frames_fit(root: &Table<'_>, helicoid: &Helicoid, mesh: usize) {
     let Some(frames) = helicoid.deformation.map(|deformation| deformation.frames) else { return };
     let most = MOST_VERTICES_OF_FRAMES / frames;
     let patches: f64 = [helicoid.u_span, helicoid.v_span]
         .map(|span| (span / surfaces::Helicoid::LARGEST_PIECE).ceil())
         .iter()
         .product();
-    let key = spec.helicoid.as_ref().and_then(|table| table.get_ref().frames.as_ref());
-    let Some(span) = key.map(Spanned::span) else { return };
+    let Some(span) = root.place(&["helicoid", "frames"]) else { return };
     if patches * frames as f64 > MOST_PATCHES as f64 {
-        check.inadmissible(
+        root.faults().inadmissible(
             span.clone(),
             format!("{frames} frames of {patches} patches each are too many to be kept at once"),
             format!("at most {MOST_PATCHES} patches in all"),
@@ -52,7 +49,7 @@ fn frames_fit(check: &mut Check<'_>, spec: &Spec, helicoid: &Helicoid, mesh: usi
     if (mesh + 1).pow(2) <= most {
         return;
     }
-    check.inadmissible(
+    root.faults().inadmissible(
         span,
         format!("{frames} frames with `mesh` = {mesh} are too many vertices to be kept at once"),
         format!("{} vertices", frames * (mesh + 1).pow(2)),
@@ -60,19 +57,19 @@ fn frames_fit(check: &mut Check<'_>, spec: &Spec, helicoid: &Helicoid, mesh: usi
     );
 }
 
-fn meshes_fit(check: &mut Check<'_>, spec: &Spec, methods: usize, mesh: usize) {
+fn meshes_fit(root: &Table<'_>, methods: usize, mesh: usize) {
     let most = MOST_VERTICES_OF_METHODS / methods;
-    let key = spec.output.as_ref().and_then(|table| table.get_ref().mesh.as_ref());
-    let Some(key) = key.filter(|_| (mesh + 1).pow(2) > most) else { return };
-    check.inadmissible(
-        key.span(),
+    let key = root.place(&["output", "mesh"]);
+    let Some(span) = key.filter(|_| (mesh + 1).pow(2) > most) else { return };
+    root.faults().inadmissible(
+        span,
         format!("{methods} methods with `mesh` = {mesh} are too many vertices to be kept at once"),
         format!("{} vertices", methods * (mesh + 1).pow(2)),
         format!("write mesh = {}, or split the methods into several files", most.isqrt() - 1),
     );
 }
 
-fn histories_fit(check: &mut Check<'_>, spec: &Spec, experiment: &PatchExperiment) {
+fn histories_fit(root: &Table<'_>, experiment: &PatchExperiment) {
     let by_swarm = |shape: Shape| matches!(shape, Shape::Search(SearchMode::Pso | SearchMode::PsoPolish));
     let swarms = experiment.methods.iter().filter(|method| by_swarm(method.shape)).count();
     let (runs, iterations) = (experiment.search.runs, experiment.search.iterations);
@@ -80,16 +77,11 @@ fn histories_fit(check: &mut Check<'_>, spec: &Spec, experiment: &PatchExperimen
     if numbers <= MOST_HISTORY {
         return;
     }
-    let span = match (&spec.search, &spec.method) {
-        (Some(table), _) => {
-            let keys = [&table.get_ref().iterations, &table.get_ref().runs];
-            let largest = keys.into_iter().flatten().max_by_key(|key| key.get_ref().0);
-            largest.map_or(table.span(), Spanned::span)
-        }
-        (None, Some(methods)) => methods.span(),
-        (None, None) => return,
-    };
-    check.inadmissible(
+    let counts = [("iterations", iterations), ("runs", runs)];
+    let given = counts.into_iter().filter_map(|(key, count)| Some((count, root.place(&["search", key])?)));
+    let largest = given.max_by_key(|(count, _)| *count).map(|(_, span)| span);
+    let Some(span) = largest.or(root.place(&["search"])).or(root.place(&["method"])) else { return };
+    root.faults().inadmissible(
         span,
         format!(
             "{} × {runs} runs × {iterations} iterations have histories too long to be kept at once",

@@ -1,15 +1,12 @@
 //! `expect` and `published` tables.
 
-use std::ops::Range;
-
+use plateau::{Patch, Quantity, Shape};
 use serde_spanned::Spanned;
 
-use super::{Expected, Published};
-use crate::diagnostic::{Diagnostic, Fault, position};
-use crate::plan::check::{Check, Table, top};
-use crate::plan::number::{counted, half_unit_of_last_digit, shown};
-use crate::spec::{self, ExpectSpec, ExpectValue, Key, Number, PublishedSpec, Section, Step, TolerancedSpec};
-use plateau::{Patch, Quantity, Shape};
+use super::{Expected, Published, Wanted};
+use crate::diagnostic::position;
+use crate::keys::expect::{self, Expectation, HEADING, PRINTED, QUANTITY, REASON, SOURCE};
+use crate::text::{Faults, Given, Table, counted, half_unit_of_last_digit};
 
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]
@@ -61,101 +58,87 @@ impl Subject {
     }
 }
 
-fn with_index(quantity: Quantity, index: usize) -> Quantity {
-    match quantity {
-        Quantity::Shape(_) => Quantity::Shape(index),
-        Quantity::Curvature(_) => Quantity::Curvature(index),
-        other => other,
+/// Checks the top-level `expect` table.
+pub(in crate::plan) fn wanted(given: Given<Table<'_>>, subject: Option<Subject>) -> Option<Wanted> {
+    expectations(given, subject).map(|expect| Wanted { expect, published: Vec::new() })
+}
+
+/// Checks an `expect` table, if there is one.
+pub(in crate::plan) fn expectations(
+    given: Given<Table<'_>>,
+    subject: Option<Subject>,
+) -> Option<Vec<Expected>> {
+    match given {
+        Given::Absent => Some(Vec::new()),
+        Given::Faulty => None,
+        Given::Sound(table) => expected(table.get_ref(), subject),
     }
 }
 
-fn entries(spec: &ExpectSpec) -> [(Quantity, &Key<ExpectValue>); 14] {
-    [
-        (Quantity::Dirichlet, &spec.dirichlet),
-        (Quantity::Area, &spec.area),
-        (Quantity::LaplacianDefect, &spec.laplacian_defect),
-        (Quantity::Bending, &spec.bending),
-        (Quantity::ConformalityGap, &spec.conformality_gap),
-        (Quantity::MeanCurvatureMax, &spec.mean_curvature_max),
-        (Quantity::MeanCurvatureRms, &spec.mean_curvature_rms),
-        (Quantity::Residual, &spec.residual),
-        (Quantity::BoundaryDeviation, &spec.boundary_deviation),
-        (Quantity::HarmonicBound, &spec.harmonic_bound),
-        (Quantity::Deviation, &spec.deviation),
-        (Quantity::Shape(0), &spec.shape),
-        (Quantity::SearchMinimum, &spec.search_minimum),
-        (Quantity::Curvature(0), &spec.curvature),
-    ]
-}
-
-/// Checks an `expect` table. One number for a quantity with several means each of them.
-pub(in crate::plan) fn expected(
-    check: &mut Check<'_>,
-    table: &Table,
-    spec: &ExpectSpec,
-    subject: Subject,
-) -> Option<Vec<Expected>> {
+/// Checks an `expect` table. One number for a quantity with several means each of them. Where the subject is unknown, only
+/// the numbers themselves are looked at.
+fn expected(table: &Table<'_>, subject: Option<Subject>) -> Option<Vec<Expected>> {
     let mut numbers = Vec::new();
-    let mut sound = true;
-    for (quantity, key) in entries(spec) {
-        let Some(key) = key else { continue };
+    let mut is_sound = true;
+    for (quantity, key) in expect::figures() {
+        let given = match table.take(key) {
+            Given::Absent => continue,
+            Given::Faulty => {
+                is_sound = false;
+                continue;
+            }
+            Given::Sound(given) => given,
+        };
+        let Some(subject) = subject else { continue };
         if let Some(reason) = subject.lacks(quantity) {
-            check.report(
-                Diagnostic::at(
-                    Fault::Conflict,
-                    key.span(),
-                    format!("{} expects `{}`, which the result will not have", table.name, quantity.name()),
-                    "no such figure",
-                )
-                .help(reason),
+            table.faults().clash(
+                (given.span(), "no such figure"),
+                format!("{} expects `{}`, which the result will not have", table.name(), quantity.name()),
+                reason,
             );
-            sound = false;
+            is_sound = false;
             continue;
         }
-        match entry(check, table, quantity, key, subject) {
+        match entry(table, quantity, given, subject.length(quantity)) {
             Some(entry) => numbers.extend(entry),
-            None => sound = false,
+            None => is_sound = false,
         }
     }
-    sound.then_some(numbers)
+    (is_sound && subject.is_some()).then_some(numbers)
 }
 
 fn entry(
-    check: &mut Check<'_>,
-    table: &Table,
+    table: &Table<'_>,
     quantity: Quantity,
-    key: &Spanned<ExpectValue>,
-    subject: Subject,
+    given: Spanned<Expectation>,
+    length: Option<usize>,
 ) -> Option<Vec<Expected>> {
-    let name = quantity.name();
-    let length = subject.length(quantity);
-    let every = |number: Expected| -> Vec<Expected> {
-        (0..length.unwrap_or(1))
-            .map(|k| Expected { quantity: with_index(quantity, k), ..number.clone() })
-            .collect()
-    };
-    match key.get_ref() {
-        ExpectValue::Number(value) => number(check, table, quantity, *value, key.span()).map(every),
-        ExpectValue::Toleranced(spec) => toleranced(check, table, quantity, spec, key.span()).map(every),
-        ExpectValue::List(list) if Some(list.len()) == length => {
-            let numbers: Vec<Expected> = list
-                .iter()
-                .enumerate()
-                .filter_map(|(k, n)| number(check, table, with_index(quantity, k), n.get_ref().0, n.span()))
-                .collect();
-            (numbers.len() == list.len()).then_some(numbers)
+    let (faults, span) = (table.faults(), given.span());
+    match given.into_inner() {
+        Expectation::Every(number, tolerance) => {
+            let mut one = digits(faults, quantity, &number);
+            one.tolerance = tolerance.unwrap_or(one.tolerance);
+            let every = |k| Expected { quantity: quantity.at(k), ..one.clone() };
+            Some((0..length.unwrap_or(1)).map(every).collect())
         }
-        ExpectValue::List(list) => {
-            let help = match length {
-                Some(length) => format!("write one number for all, or a list of {length}"),
-                None => format!("write one number: {name} = 1.5"),
+        Expectation::Each(list) if Some(list.len()) == length => {
+            let each = |(k, number)| digits(faults, quantity.at(k), number);
+            Some(list.iter().enumerate().map(each).collect())
+        }
+        Expectation::Each(list) => {
+            let name = quantity.name();
+            let (label, help) = match length {
+                Some(length) => (
+                    format!("expected {length} numbers, or one"),
+                    format!("write one number for all, or a list of {length}"),
+                ),
+                None => ("expected one number".to_owned(), format!("write one number: {name} = 1.5")),
             };
-            check.inadmissible(
-                key.span(),
-                format!("`{name}` in {} is a list of {}", table.name, counted(list.len(), "number")),
-                length.map_or("expected one number".to_owned(), |length| {
-                    format!("expected {length} numbers, or one")
-                }),
+            let found = counted(list.len(), "number");
+            faults.inadmissible(
+                span,
+                format!("`{name}` in {} is a list of {found}", table.name()),
+                label,
                 help,
             );
             None
@@ -163,109 +146,48 @@ fn entry(
     }
 }
 
-fn number(
-    check: &mut Check<'_>,
-    table: &Table,
-    quantity: Quantity,
-    value: f64,
-    span: Range<usize>,
-) -> Option<Expected> {
-    let text = check.text.get(span.clone()).unwrap_or_default().to_owned();
-    if !value.is_finite() {
-        check.inadmissible(
-            span,
-            format!("`{}` in {} must be finite", quantity.name(), table.name),
-            format!("this is {}", shown(value)),
-            "expect an ordinary number, with as many digits as the result must reproduce",
-        );
-        return None;
-    }
-    let (line, _) = position(check.text, span.start);
-    Some(Expected { quantity, value, tolerance: half_unit_of_last_digit(&text), text, line })
-}
-
-fn toleranced(
-    check: &mut Check<'_>,
-    table: &Table,
-    quantity: Quantity,
-    spec: &TolerancedSpec,
-    span: Range<usize>,
-) -> Option<Expected> {
-    let name = quantity.name();
-    let form = format!(
-        "write {name} = {{ value = 38.0, tolerance = 0.05 }}, or the number alone to have its digits decide"
-    );
-    let inner = check.inner(table, format!("`{name}` in {}", table.name), span, &top(name));
-    let value = check.required(&inner, "value", &spec.value, &form);
-    let tolerance = check.required(&inner, "tolerance", &spec.tolerance, &form);
-    let value = value.and_then(|key| number(check, table, quantity, key.get_ref().0, key.span()));
-    let nonnegative = (|x| x >= 0.0, "0 or positive");
-    let tolerance = tolerance.and_then(|key| check.number(&inner, "tolerance", key, nonnegative, &form));
-    Some(Expected { tolerance: tolerance?, ..value? })
+/// A number that is to be met to the digits written.
+fn digits(faults: &Faults<'_>, quantity: Quantity, number: &Spanned<f64>) -> Expected {
+    let text = faults.excerpt(&number.span()).to_owned();
+    let (line, _) = position(faults.text(), number.span().start);
+    Expected { quantity, value: *number.get_ref(), tolerance: half_unit_of_last_digit(&text), text, line }
 }
 
 /// Checks the `published` tables of a method.
-pub(in crate::plan) fn published(
-    check: &mut Check<'_>,
-    method: &Table,
-    key: &Spanned<spec::Published>,
-) -> Option<Vec<Published>> {
-    let (found, count): (Vec<Published>, usize) = match key.get_ref() {
-        spec::Published::One(spec) => (one(check, method, spec, key.span(), None).into_iter().collect(), 1),
-        spec::Published::Several(specs) => {
-            let read = |(k, spec): (usize, &Spanned<Section<PublishedSpec>>)| {
-                one(check, method, spec.get_ref(), spec.span(), Some(k))
-            };
-            (specs.iter().enumerate().filter_map(read).collect(), specs.len())
-        }
-    };
-    (found.len() == count).then_some(found)
+pub(in crate::plan) fn published<'t>(tables: impl IntoIterator<Item = Table<'t>>) -> Option<Vec<Published>> {
+    let read: Vec<Option<Published>> = tables.into_iter().map(|table| one(&table)).collect();
+    read.into_iter().collect()
 }
 
-fn one(
-    check: &mut Check<'_>,
-    method: &Table,
-    spec: &PublishedSpec,
-    span: Range<usize>,
-    index: Option<usize>,
-) -> Option<Published> {
-    let steps = [top("published"), index.map(Step::Index).into_iter().collect()].concat();
-    let table = check.inner(method, format!("[method.published] of {}", method.name), span, &steps);
-    let source_help = "say where the number is printed: source = \"GT Table 1\"";
-    let source = check
-        .required(&table, "source", &spec.source, source_help)
-        .and_then(|key| check.name(&table, "source", key, source_help));
-    let quantity_help = "say which of our figures the printed number is: quantity = \"dirichlet\"";
-    let names: Vec<(&str, Quantity)> = entries(&ExpectSpec::default()).map(|(q, _)| (q.name(), q)).to_vec();
-    let quantity = check
-        .required(&table, "quantity", &spec.quantity, quantity_help)
-        .and_then(|key| check.choice(&table, "quantity", key, &names));
-    let printed_help = "give the number with the digits it has in print: printed = 38.0000";
-    let printed = check
-        .required(&table, "printed", &spec.printed, printed_help)
-        .and_then(|key| printed_number(check, &table, key, printed_help));
-    let text = |key: &Key<spec::Text>| key.as_ref().map(|key| key.get_ref().0.clone());
-    let (printed, text_printed, line) = printed?;
+fn one(table: &Table<'_>) -> Option<Published> {
+    let source = table.require(&SOURCE);
+    let quantity = table.require(&QUANTITY);
+    let heading = table.take(&HEADING).known();
+    let printed = table.require(&PRINTED);
+    let reason = table.take(&REASON).known();
+    let quantity = quantity?.into_inner();
+    let Expected { value, tolerance, text, line, .. } = digits(table.faults(), quantity, &printed?);
     Some(Published {
-        source: source?,
-        quantity: quantity?,
-        heading: text(&spec.heading),
-        printed,
-        tolerance: half_unit_of_last_digit(&text_printed),
-        text: text_printed,
-        reason: text(&spec.reason),
+        source: source?.into_inner(),
+        quantity,
+        heading: heading?.map(Spanned::into_inner),
+        printed: value,
+        tolerance,
+        text,
+        reason: reason?.map(Spanned::into_inner),
         line,
     })
 }
 
-fn printed_number(
-    check: &mut Check<'_>,
-    table: &Table,
-    key: &Spanned<Number>,
-    help: &str,
-) -> Option<(f64, String, usize)> {
-    let value = check.number(table, "printed", key, (|_| true, "finite"), help)?;
-    let text = check.text.get(key.span()).unwrap_or_default().to_owned();
-    let (line, _) = position(check.text, key.span().start);
-    Some((value, text, line))
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Entry;
+
+    #[test]
+    fn every_figure_has_a_key_of_its_name() {
+        for (quantity, key) in expect::figures() {
+            assert_eq!(quantity.name(), key.head().name);
+        }
+    }
 }

@@ -1,18 +1,18 @@
 //! Numbers as the file writes them.
 
 /// A number for a message: short for everyday sizes, with an exponent for the others.
-pub(super) fn shown(value: f64) -> String {
+pub(crate) fn shown(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-5..1e15).contains(&size) { format!("{value}") } else { format!("{value:e}") }
 }
 
 /// `1 point`, `4 points`.
-pub(super) fn counted(count: usize, noun: &str) -> String {
+pub(crate) fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
 /// A point for a message.
-pub(super) fn shown_point(point: &[f64]) -> String {
+pub(crate) fn shown_point(point: &[f64]) -> String {
     let coordinates: Vec<String> = point.iter().map(|&x| shown(x)).collect();
     format!("[{}]", coordinates.join(", "))
 }
@@ -20,7 +20,7 @@ pub(super) fn shown_point(point: &[f64]) -> String {
 /// Half a unit of the last digit of a TOML number: `38.0` gives 0.05, `1.5e-3` gives 5e-5, `38` gives 0.5.
 ///
 /// The result is the double nearest to it; 0 or infinity where the exponent leaves the range of doubles.
-pub(super) fn half_unit_of_last_digit(text: &str) -> f64 {
+pub(crate) fn half_unit_of_last_digit(text: &str) -> f64 {
     let text = text.replace('_', "");
     let unsigned = text.trim_start_matches(['+', '-']);
     if unsigned.starts_with("0x") || unsigned.starts_with("0o") || unsigned.starts_with("0b") {

@@ -1,0 +1,39 @@
+//! The keys of experiment files, all of them: what each is called, takes and means.
+
+pub(crate) mod boundary;
+pub(crate) mod curve;
+pub(crate) mod expect;
+pub(crate) mod helicoid;
+pub(crate) mod method;
+pub(crate) mod output;
+pub(crate) mod search;
+
+use crate::text::{Inner, Key, Section, Several, Text, Ways, Whole};
+
+pub(crate) static TITLE: Key<Text> = Key::new("title", Text::Named, "the heading of the table of results")
+    .required()
+    .hint("begin the file with title = \"…\": it heads the table of results");
+
+pub(crate) static SEED: Key<Whole<u64>> = Key::new(
+    "seed",
+    Whole::between(0, i64::MAX as u64),
+    "the seed of every random choice; the same seed gives the same result",
+)
+.or("0");
+
+pub(crate) static BOUNDARY: Key<Inner> = Key::table("boundary", Inner(&boundary::SECTION));
+pub(crate) static METHOD: Key<Several> = Key::table("method", Several(&method::SECTION));
+pub(crate) static SEARCH: Key<Inner> = Key::table("search", Inner(&search::SECTION));
+pub(crate) static HELICOID: Key<Inner> = Key::table("helicoid", Inner(&helicoid::SECTION));
+pub(crate) static TRAPEZIUM: Key<Inner> =
+    Key::table("trapezium-helicoid", Inner(&helicoid::trapezium::SECTION));
+pub(crate) static CURVE: Key<Inner> = Key::table("curve", Inner(&curve::SECTION));
+pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
+pub(crate) static OUTPUT: Key<Inner> = Key::table("output", Inner(&output::SECTION));
+
+/// The file as a whole.
+pub(crate) static EXPERIMENT: Section = Section {
+    doc: "an experiment file of plateau: one of [boundary] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]",
+    keys: &[&TITLE, &SEED, &BOUNDARY, &METHOD, &SEARCH, &HELICOID, &TRAPEZIUM, &CURVE, &EXPECT, &OUTPUT],
+    ways: Ways::One(&[&["boundary", "method"], &["helicoid"], &["trapezium-helicoid"], &["curve"]]),
+};

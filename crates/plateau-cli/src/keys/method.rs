@@ -1,0 +1,197 @@
+//! `[[method]]`.
+
+use plateau::{Basis, Energy, Interior, MAX_DEGREE, Mask, Patch, SearchMode, SolverChoice};
+use serde_json::{Map, Value as Json, json};
+
+use super::expect;
+use crate::text::{
+    Form, Inner, Interval, Key, Kind, Name, OneOrSeveral, Place, Reals, Section, Text, Value, Ways, Whole,
+};
+
+static ENERGIES: [(&str, Energy); 5] = [
+    ("dirichlet", Energy::Dirichlet),
+    ("laplacian", Energy::Laplacian),
+    ("bending", Energy::Bending),
+    ("coons", Energy::Coons),
+    ("area", Energy::Area),
+];
+
+static MODES: [(&str, SearchMode); 3] =
+    [("pso", SearchMode::Pso), ("polish", SearchMode::Polish), ("pso-polish", SearchMode::PsoPolish)];
+
+static MASKS: [(&str, Mask); 2] = [("dirichlet", Mask::Dirichlet), ("coons", Mask::Coons)];
+
+/// Whether shape parameters are searched, and how.
+#[derive(Clone, Copy)]
+pub(crate) struct Searching;
+
+impl Form for Searching {
+    fn expected(&self) -> String {
+        "true, false, \"pso\", \"polish\" or \"pso-polish\"".to_owned()
+    }
+
+    fn schema(&self) -> Map<String, Json> {
+        let words = MODES.iter().map(|(name, _)| json!(name));
+        let all: Vec<Json> = [json!(true), json!(false)].into_iter().chain(words).collect();
+        [("enum".to_owned(), json!(all))].into_iter().collect()
+    }
+}
+
+impl Kind for Searching {
+    type Value = Option<SearchMode>;
+
+    fn read(&self, place: &Place<'_>, value: &Value<'_>) -> Option<Self::Value> {
+        if let Some(truth) = value.get_ref().as_bool() {
+            return Some(truth.then_some(SearchMode::PsoPolish));
+        }
+        match value.get_ref().as_str() {
+            Some(word) => place.one_of(word, value, &MODES).map(Some),
+            None => {
+                place.wrong_type(value, &self.expected());
+                None
+            }
+        }
+    }
+}
+
+/// The weights of a mask.
+#[derive(Clone, Copy)]
+pub(crate) struct Weights;
+
+/// The corner weights that are admitted.
+const ALPHA: Interval = Interval::between(-1e6, 1e6);
+
+impl Form for Weights {
+    fn expected(&self) -> String {
+        "the corner weight, a number, or \"dirichlet\" or \"coons\"".to_owned()
+    }
+
+    fn schema(&self) -> Map<String, Json> {
+        let forms = [Json::Object(ALPHA.schema()), Json::Object(Name(&MASKS).schema())];
+        [("anyOf".to_owned(), json!(forms))].into_iter().collect()
+    }
+}
+
+impl Kind for Weights {
+    type Value = Mask;
+
+    fn read(&self, place: &Place<'_>, value: &Value<'_>) -> Option<Mask> {
+        match value.get_ref().as_str() {
+            Some(word) => place.one_of(word, value, &MASKS),
+            None if value.get_ref().is_float() || value.get_ref().is_integer() => {
+                place.real_in(value, ALPHA).map(Mask::Alpha)
+            }
+            None => {
+                place.wrong_type(value, &self.expected());
+                None
+            }
+        }
+    }
+}
+
+pub(crate) static NAME: Key<Text> = Key::new("name", Text::Named, "the label of the row, unique in the file")
+    .required()
+    .hint("write name = \"…\": it labels the row of the table");
+pub(crate) static PATCH: Key<Name<Patch>> = Key::new(
+    "patch",
+    Name(&[("tensor", Patch::Tensor), ("tb-coons", Patch::TbCoons)]),
+    "the kind of patch over a tensor boundary; triangles need no such key",
+)
+.or("\"tensor\"");
+pub(crate) static BASIS: Key<Name<Basis>> = Key::new(
+    "basis",
+    Name(&[("bernstein", Basis::Bernstein), ("gt", Basis::Gt)]),
+    "the basis in which the net is read; of a TB–Coons patch it is \"gt\"",
+)
+.or("\"bernstein\"");
+pub(crate) static SHAPE: Key<Reals> = Key::new(
+    "shape",
+    Reals::exactly(4, Interval::between(0.0, 4.0)),
+    "the shape parameters [a1, a2, b1, b2] of the GT basis, a in u, b in v",
+)
+.hint("write shape = [a1, a2, b1, b2], a in u and b in v, each in [0, 4]: outside, the GT functions become negative");
+pub(crate) static SEARCH: Key<Searching> = Key::new(
+    "search",
+    Searching,
+    "whether the shape parameters are tuned by [search], and how: `true` or \"pso-polish\" is a swarm and then descent from \
+     each run's best, \"pso\" the swarm alone, \"polish\" descents from random starts",
+)
+.or("false")
+.such_as("\"pso\"");
+pub(crate) static ENERGY: Key<Name<Energy>> =
+    Key::new("energy", Name(&ENERGIES), "the energy whose extremal the interior is").such_as("\"dirichlet\"");
+pub(crate) static RAISE: Key<Whole<usize>> = Key::new(
+    "raise",
+    Whole::between(0, MAX_DEGREE as u64),
+    "the number of degrees by which the boundary is raised before solving, exactly for Bernstein",
+)
+.or("0");
+pub(crate) static METRIC_STEPS: Key<Whole<usize>> = Key::new(
+    "metric-steps",
+    Whole::between(0, 1000),
+    "the number of metric corrections after the Dirichlet extremal, towards least area: one is the Dirichlet correction of \
+     TRI §7, 20 come near the limit",
+)
+.or("0");
+pub(crate) static MASK: Key<Weights> = Key::new(
+    "mask",
+    Weights,
+    "the weights that make each interior point a fixed combination of its neighbours: the corner weight α, or a named mask of \
+     triangles",
+)
+.such_as("-0.25")
+.hint("give the corner weight; the edge weight follows from it: 3α + 6β = 1 on triangles, 4α + 4β = 1 on tensor nets");
+pub(crate) static CONSTRUCTION: Key<Name<Interior>> = Key::new(
+    "construction",
+    Name(&[("discrete-coons", Interior::DiscreteCoons), ("harmonic", Interior::Harmonic)]),
+    "the closed formula that gives the net: no energy is minimised",
+)
+.such_as("\"discrete-coons\"");
+pub(crate) static SEARCH_ENERGY: Key<Name<Energy>> = Key::new(
+    "search-energy",
+    Name(&ENERGIES),
+    "what the shape parameters minimise; left out, it is `energy`, and \"laplacian\" for harmonic nets",
+)
+.such_as("\"dirichlet\"");
+pub(crate) static SOLVER: Key<Name<SolverChoice>> = Key::new(
+    "solver",
+    Name(&[
+        ("auto", SolverChoice::Auto),
+        ("dense", SolverChoice::Dense),
+        ("separable", SolverChoice::Separable),
+        ("sparse", SolverChoice::Sparse),
+    ]),
+    "the linear solver; \"separable\" serves Dirichlet extremals of tensor patches, \"sparse\" serves masks",
+)
+.or("\"auto\"");
+pub(crate) static TOLERANCE: Key<Interval> = Key::new(
+    "tolerance",
+    Interval::between(1e-12, 1e-2),
+    "the relative decrease of the area that counts as none, for energy = \"area\"; 1e-7 is quick",
+)
+.or("1e-11");
+pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
+pub(crate) static PUBLISHED: Key<OneOrSeveral> =
+    Key::table("published", OneOrSeveral { one: &expect::PUBLISHED, several: &expect::PUBLISHED });
+
+pub(crate) static SECTION: Section = Section {
+    doc: "one row of the table, a way to fill the boundary: exactly one of `energy`, `mask`, `construction`",
+    keys: &[
+        &NAME,
+        &PATCH,
+        &BASIS,
+        &SHAPE,
+        &SEARCH,
+        &ENERGY,
+        &RAISE,
+        &METRIC_STEPS,
+        &MASK,
+        &CONSTRUCTION,
+        &SEARCH_ENERGY,
+        &SOLVER,
+        &TOLERANCE,
+        &EXPECT,
+        &PUBLISHED,
+    ],
+    ways: Ways::One(&[&["energy"], &["mask"], &["construction"]]),
+};
