@@ -18,13 +18,13 @@ pub(crate) const DEFORMATION_FILE: &str = "deformation.glb";
 /// some systems do not take in a name.
 ///
 /// ```
-/// use plateau::{Template, Plan, folder};
+/// use plateau_cli::{Template, Plan, folder};
 ///
 /// let text = Template::Tensor.text();
 /// let of = |file: &str| Plan::parse(file, text).map(|plan| folder(&plan, "out".as_ref()));
 /// assert_eq!(of("my frames/saddle.toml")?, std::path::Path::new("out/saddle"));
 /// assert_eq!(of("con.toml")?, std::path::Path::new("out/experiment-con"));
-/// # Ok::<(), plateau::Refusal>(())
+/// # Ok::<(), plateau_cli::Refusal>(())
 /// ```
 pub fn folder(plan: &Plan, out: &Path) -> PathBuf {
     out.join(folder_name(&plan.stem))

@@ -9,7 +9,7 @@ use unicode_width::UnicodeWidthStr;
 /// What is shown can therefore never be mistaken for a line of ours.
 ///
 /// ```
-/// use plateau::Printable;
+/// use plateau_cli::Printable;
 ///
 /// assert_eq!(Printable("steep\nerror: \u{1b}[31mα").to_string(), r"steep\nerror: \u001b[31mα");
 /// ```

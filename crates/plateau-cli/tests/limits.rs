@@ -124,7 +124,7 @@ fn greedy() -> Vec<(&'static str, &'static str, String)> {
             "title = \"x\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0,0],[1,1]]\nsamples = 1000000000\n"
                 .to_owned(),
         ),
-        ("span", "at most 100", helicoid.replace("u-span = 3", "u-span = 1e300")),
+        ("span", "and 100", helicoid.replace("u-span = 3", "u-span = 1e300")),
     ]
 }
 

@@ -35,10 +35,10 @@ impl Plan {
     /// gamma = [0.0, 1.0]
     /// beta = [0.0, 0.0]
     /// "#;
-    /// let plan = plateau::Plan::parse("half-turn.toml", text).unwrap();
+    /// let plan = plateau_cli::Plan::parse("half-turn.toml", text).unwrap();
     /// assert_eq!((plan.stem.as_str(), plan.seed), ("half-turn", 0));
     ///
-    /// let refusal = plateau::Plan::parse("half-turn.toml", &text.replace("span", "spam")).unwrap_err();
+    /// let refusal = plateau_cli::Plan::parse("half-turn.toml", &text.replace("span", "spam")).unwrap_err();
     /// assert!(refusal.to_string().contains("half-turn.toml:4:1"));
     /// assert!(refusal.to_string().contains("did you mean `span`?"));
     /// ```
