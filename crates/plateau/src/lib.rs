@@ -22,6 +22,7 @@
 //!   harmonic nets, their shape parameters given or searched ([`Search`]). What comes out is [`Done`]: the [`Surface`], the way
 //!   to it, its [`Figures`], and each [`Warning`] that a reader needs.
 //! - [`helicoids`] and [`trapezium`] make the helicoids of AHT and AT, [`sample`] samples a curve.
+//! - [`Cutting`] cuts loops and graphs of curves into the quadrilaterals of a [`surfaces::Complex`].
 //! - [`degeneracies`] says what is wrong with a boundary before anything is computed.
 //!
 //! Whoever waits may watch ([`Progress`]) and keep finished runs of searches ([`Keeper`]). Nothing here reads or writes files.
@@ -32,6 +33,7 @@ mod boundary_figures;
 mod closed_form;
 mod context;
 mod curve;
+mod cutting;
 mod degeneracy;
 mod error;
 mod family;
@@ -57,6 +59,7 @@ pub use boundary_figures::BoundaryFigures;
 pub use closed_form::ClosedForm;
 pub use context::Context;
 pub use curve::{Curve, CurveBasis, CurveResult, sample};
+pub use cutting::{CurveGraph, CutBoundary, Cutting, CuttingError, FaceSide, GraphCurve, Loop, Way};
 pub use degeneracy::{Degeneracy, degeneracies};
 pub use error::MethodError;
 pub use family::Family;

@@ -10,6 +10,10 @@
 //! the [`TrapeziumHelicoid`]; beyond the span one patch can hold they come in [`Pieces`] that meet exactly. A [`Curve`] has
 //! a curvature; curves and tensor patches are cut by subdivision.
 //!
+//! A [`Complex`] is a surface of quadrilateral patches that share vertices and edges. What its rim may be given as is a
+//! [`BoundaryCurve`]: a Bézier curve, a polyline, a B-spline, samples, an arc; [`BoundaryCurve::fit`] makes Bézier pieces of
+//! it, exact where they can be, else with their distance from it.
+//!
 //! ```
 //! use surfaces::{Mesh, Net, Patch, Point, TensorPatch};
 //!
@@ -61,7 +65,7 @@ pub use helicoid::Helicoid;
 pub use jet::{FirstForm, Jet, SecondForm};
 pub use mask::{COONS_CORNER_WEIGHT, MaskSystem, TriangleMask, rectangular_mask};
 pub use mesh::Mesh;
-pub use net::Net;
+pub use net::{Net, extent};
 pub use patch::{Domain, Patch};
 pub use pieces::Pieces;
 pub use point::Point;

@@ -174,7 +174,7 @@ impl Net {
 }
 
 /// The diagonal of the bounding box of `points`; 0 for no points.
-pub(crate) fn extent(points: &[Point]) -> f64 {
+pub fn extent(points: &[Point]) -> f64 {
     let Some(&first) = points.first() else { return 0.0 };
     let (low, high) = points.iter().fold((first, first), |(l, h), p| {
         (

@@ -149,6 +149,14 @@ impl Complex {
         self.layout.run(edge, self.layout.edges[edge].ends())
     }
 
+    /// The curve of an edge, from its first end to its second.
+    ///
+    /// # Panics
+    /// If there is no edge of this number.
+    pub fn edge_curve(&self, edge: usize) -> Bezier {
+        Bezier { points: self.edge_nodes(edge).into_iter().map(|k| self.points[k]).collect() }
+    }
+
     /// All control points: vertices, edges, interiors face by face.
     pub fn points(&self) -> &[Point] {
         &self.points

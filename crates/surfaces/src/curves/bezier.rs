@@ -15,7 +15,7 @@ use crate::{Point, SurfaceError};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bezier {
-    pub(super) points: Vec<Point>,
+    pub(crate) points: Vec<Point>,
 }
 
 impl Bezier {
@@ -88,6 +88,25 @@ impl Bezier {
     pub fn reversed(mut self) -> Self {
         self.points.reverse();
         self
+    }
+
+    /// The direction in which it leaves its start, of any length; zero only for a curve in one point.
+    pub fn direction(&self) -> Point {
+        let away = |p: &Point| *p - self.points[0];
+        self.points.iter().map(away).find(|d| *d != Point::ZERO).unwrap_or_default()
+    }
+
+    /// The curve moved to other ends, finite ones, by a way linear in the number of the control point: lines stay lines.
+    pub fn with_ends(&self, start: Point, end: Point) -> Self {
+        let n = self.degree();
+        let (at_start, at_end) = (start - self.start(), end - self.end());
+        let moved = |(k, &p): (usize, &Point)| {
+            let share = k as f64 / n as f64;
+            p + at_start * (1.0 - share) + at_end * share
+        };
+        let mut points: Vec<Point> = self.points.iter().enumerate().map(moved).collect();
+        (points[0], points[n]) = (start, end);
+        Self { points }
     }
 
     /// The pieces over [0, t] and [t, 1], each again over [0, 1]; they share c(t) bit for bit.

@@ -1,0 +1,105 @@
+//! One loop.
+
+use super::blueprint::Blueprint;
+use super::polygon::Cut;
+use super::rim::Rim;
+use super::{Cutting, CuttingError, Loop, Quads, Way};
+
+/// Most pieces of a side of a grid or of midpoint subdivision that is chosen, not asked for: the number of quads grows with
+/// its square, that of a ring in proportion.
+const MOST_PIECES: usize = 4;
+
+pub(super) fn cut(around: &Loop, cutting: &Cutting) -> Result<Quads, CuttingError> {
+    let rim = Rim::new(around, cutting)?;
+    let corners = rim.corner_vertices();
+    let way = cutting.way.unwrap_or_else(|| chosen(&rim, &corners));
+    let (deviation, count) = (rim.deviation, corners.len());
+    let blueprint = match way {
+        Way::Grid if count == 4 => grid(rim, &corners),
+        Way::Midpoint if count >= 3 => midpoint(rim, &corners),
+        Way::Ring | Way::TurnedRing => ring(rim, way),
+        Way::Grid => {
+            return Err(CuttingError::Unsuitable { asked: "one patch", needs: "a loop with four corners" });
+        }
+        Way::Midpoint => {
+            let (asked, needs) = ("midpoint subdivision", "a loop with three corners or more");
+            return Err(CuttingError::Unsuitable { asked, needs });
+        }
+        Way::Annulus => return Err(CuttingError::Unsuitable { asked: "an annulus", needs: "two loops" }),
+        Way::Faces => {
+            return Err(CuttingError::Unsuitable { asked: "cutting by faces", needs: "a graph of curves" });
+        }
+    };
+    Ok(Quads { blueprint, way, corners: count, deviation })
+}
+
+fn chosen(rim: &Rim, corners: &[usize]) -> Way {
+    let most = (0..corners.len()).map(|k| side_len(rim, corners, k)).max().unwrap_or(rim.len());
+    match corners.len() {
+        4 if rim.is_tame() && most <= MOST_PIECES => Way::Grid,
+        3.. if rim.is_tame() && most <= MOST_PIECES => Way::Midpoint,
+        _ => Way::Ring,
+    }
+}
+
+/// Number of pieces from corner k to the next.
+fn side_len(rim: &Rim, corners: &[usize], k: usize) -> usize {
+    let next = if k + 1 < corners.len() { corners[k + 1] } else { corners[0] + rim.len() };
+    next - corners[k]
+}
+
+/// The rim from its first corner on, side k in `wanted(k)` pieces, at least as many as it has.
+fn with_sides(mut rim: Rim, corners: &[usize], wanted: impl Fn(usize) -> usize) -> Rim {
+    let have: Vec<usize> = (0..corners.len()).map(|k| side_len(&rim, corners, k)).collect();
+    rim = rim.begun_at(corners[0]);
+    let mut start = 0;
+    for (k, have) in have.into_iter().enumerate() {
+        for count in have..wanted(k) {
+            rim.halve_longest(start..start + count);
+        }
+        start += wanted(k);
+    }
+    rim
+}
+
+fn grid(rim: Rim, corners: &[usize]) -> Blueprint {
+    let have: Vec<usize> = (0..4).map(|k| side_len(&rim, corners, k)).collect();
+    let wanted = |k: usize| have[k].max(have[(k + 2) % 4]);
+    let (columns, rows) = (wanted(0), wanted(1));
+    let rim = with_sides(rim, corners, wanted);
+    let mut blueprint = Blueprint::default();
+    let ring = blueprint.ring(&rim.pieces, |k| format!("v{k}"));
+    let count = ring.len();
+    let run = |from: usize, to: usize| (from..=to).map(|k| ring[k % count]).collect::<Vec<_>>();
+    let back = |from: usize, to: usize| run(from, to).into_iter().rev().collect::<Vec<_>>();
+    let (v0, u1) = (run(0, columns), run(columns, columns + rows));
+    let (v1, u0) = (back(columns + rows, 2 * columns + rows), back(2 * columns + rows, count));
+    blueprint.grid([&v0, &u1, &v1, &u0]);
+    blueprint
+}
+
+fn midpoint(rim: Rim, corners: &[usize]) -> Blueprint {
+    let most = (0..corners.len()).map(|k| side_len(&rim, corners, k)).max().unwrap_or(1);
+    let half = most.div_ceil(2);
+    let rim = with_sides(rim, corners, |_| 2 * half);
+    let mut blueprint = Blueprint::default();
+    let ring = blueprint.ring(&rim.pieces, |k| format!("v{k}"));
+    blueprint.polygon(&ring, half, Cut::Fan);
+    blueprint
+}
+
+fn ring(rim: Rim, way: Way) -> Blueprint {
+    let mut rim = rim.with_at_least(4);
+    let mut blueprint = Blueprint::default();
+    if rim.len() == 4 && way == Way::Ring {
+        let ring = blueprint.ring(&rim.pieces, |k| format!("v{k}"));
+        blueprint.ring_of_four([ring[0], ring[1], ring[2], ring[3]]);
+        return blueprint;
+    }
+    for k in 0..rim.len() {
+        rim.halve(2 * k);
+    }
+    let ring = blueprint.ring(&rim.pieces, |k| format!("v{k}"));
+    blueprint.polygon(&ring, 1, if way == Way::Ring { Cut::Ring } else { Cut::TurnedRing });
+    blueprint
+}

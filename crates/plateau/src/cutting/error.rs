@@ -1,0 +1,114 @@
+use surfaces::{ComplexError, CurveError};
+use thiserror::Error;
+
+/// Why a boundary could not be cut into quadrilaterals.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CuttingError {
+    /// There is no curve.
+    #[error("a loop needs at least one curve")]
+    NoCurve,
+    /// A curve does not begin where the one before ends.
+    #[error(
+        "curve {curve} begins {gap:.3e} from where the one before it ends; ends within {weld:.1e} are welded. Give the curves \
+         in order round, each from end to start, or weld more"
+    )]
+    Gap {
+        /// Number of the curve in its loop, from 0.
+        curve: usize,
+        /// Distance of the ends.
+        gap: f64,
+        /// Largest distance that is welded.
+        weld: f64,
+    },
+    /// A curve cannot be made into Bézier pieces.
+    #[error("curve {curve}: {error}")]
+    Curve {
+        /// Number of the curve in its loop or graph, from 0.
+        curve: usize,
+        /// Why.
+        error: CurveError,
+    },
+    /// The number of loops is neither one nor two.
+    #[error(
+        "{found} loops: one is spanned by a disc, two by an annulus; surfaces with more loops are given by faces between \
+         vertices on them"
+    )]
+    Loops {
+        /// Loops given.
+        found: usize,
+    },
+    /// The way of cutting asked for does not suit the boundary.
+    #[error("{asked} needs {needs}")]
+    Unsuitable {
+        /// The way.
+        asked: &'static str,
+        /// What it needs.
+        needs: &'static str,
+    },
+    /// A face of a graph is no polygon.
+    #[error(
+        "face {face} has {found} vertices; a polygon has 3 or more, each once, or 2 that two curves join"
+    )]
+    Polygon {
+        /// Number of the face, from 0.
+        face: usize,
+        /// Vertices given, each counted once.
+        found: usize,
+    },
+    /// A side of a face is not where it should be.
+    #[error(
+        "side {side} of face {face} must begin where the one before ends and run between the ends of its curve"
+    )]
+    Side {
+        /// Number of the face, from 0.
+        face: usize,
+        /// Number of the side, from 0.
+        side: usize,
+    },
+    /// A face or a curve names a vertex that is not there.
+    #[error("vertex {vertex} is named, but there are {count} vertices, numbered from 0")]
+    UnknownVertex {
+        /// The vertex.
+        vertex: usize,
+        /// Number of vertices.
+        count: usize,
+    },
+    /// Two curves join the same two vertices.
+    #[error("vertices {} and {} are joined by curves {} and {}: faces by vertices cannot say which is meant", ends[0], ends[1], curves[0], curves[1])]
+    TwoCurves {
+        /// The vertices.
+        ends: [usize; 2],
+        /// The curves, from 0.
+        curves: [usize; 2],
+    },
+    /// A curve of a graph does not end at its vertex.
+    #[error("curve {curve} ends {gap:.3e} from vertex {vertex}; ends within {weld:.1e} are welded")]
+    Apart {
+        /// Number of the curve.
+        curve: usize,
+        /// The vertex.
+        vertex: usize,
+        /// Distance of the end from the vertex.
+        gap: f64,
+        /// Largest distance that is welded.
+        weld: f64,
+    },
+    /// A curve of a graph begins and ends at the same vertex, or is closed.
+    #[error("curve {curve} is closed; a curve between faces joins two vertices: cut it at a point of it")]
+    ClosedCurve {
+        /// Number of the curve.
+        curve: usize,
+    },
+    /// A curve of a graph is no side of a face.
+    #[error("curve {curve} joins vertices {} and {}, which are neighbours in no face", ends[0], ends[1])]
+    UnusedCurve {
+        /// Number of the curve.
+        curve: usize,
+        /// Its vertices.
+        ends: [usize; 2],
+    },
+    /// The quadrilaterals do not make a complex.
+    #[error(transparent)]
+    Complex(#[from] ComplexError),
+}

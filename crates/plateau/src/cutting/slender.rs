@@ -1,0 +1,47 @@
+//! Slender quads cut across.
+
+use surfaces::Complex;
+
+use super::CuttingError;
+use super::blueprint::Blueprint;
+use super::rim::length;
+
+/// A quad longer than this many times its width is cut across, into four.
+const SLENDER: f64 = 4.0;
+
+/// Quads beyond which nothing more is cut.
+const MOST_FACES: usize = 512;
+
+/// Cuts slender quads, with the strips across which they lie, and makes the complex.
+pub(super) fn cut_across(blueprint: &mut Blueprint, degree: usize) -> Result<Complex, CuttingError> {
+    let mut complex = blueprint.complex(degree)?;
+    while let Some([a, b]) = slenderest(&complex) {
+        let before = blueprint.clone();
+        // In two, then both halves.
+        let Some(middle) = blueprint.halve_strip(a, b) else { break };
+        blueprint.halve_strip(a, middle);
+        blueprint.halve_strip(middle, b);
+        if blueprint.faces.len() > MOST_FACES {
+            *blueprint = before;
+            break;
+        }
+        complex = blueprint.complex(degree)?;
+    }
+    Ok(complex)
+}
+
+/// The vertices of a long side of the face with the largest ratio of length to width, if that is slender.
+fn slenderest(complex: &Complex) -> Option<[usize; 2]> {
+    let edges = 0..complex.edges().len();
+    let lengths: Vec<f64> = edges.map(|edge| length(&complex.edge_curve(edge))).collect();
+    let mut worst = (SLENDER, None);
+    for face in complex.faces() {
+        let [v0, u1, v1, u0] = face.edges();
+        let (along, across) = (lengths[v0] + lengths[v1], lengths[u0] + lengths[u1]);
+        let (ratio, edge) = if along > across { (along / across, v0) } else { (across / along, u1) };
+        if ratio > worst.0 && ratio.is_finite() {
+            worst = (ratio, Some(complex.edges()[edge].ends()));
+        }
+    }
+    worst.1
+}
