@@ -1,5 +1,8 @@
 use crate::{Domain, Jet, Patch, Point};
 
+/// How many rows of vertices are evaluated at a time.
+const ROWS: usize = 64;
+
 /// A triangle mesh of a patch with what was known of the surface at each vertex.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
@@ -40,7 +43,9 @@ impl Mesh {
                         ]
                     })
                     .collect();
-                Self::new(&patch.jets(&us, &vs), parameters, triangles)
+                // A jet is three times as large as what is kept of it.
+                let jets = us.chunks(ROWS).flat_map(|us| patch.jets(us, &vs));
+                Self::new(jets, parameters, triangles)
             }
             Domain::Triangle => {
                 // Row a holds the n − a + 1 vertices with u = a/n.
@@ -58,34 +63,54 @@ impl Mesh {
                         }
                     }
                 }
-                let jets: Vec<Jet> = parameters.iter().map(|&[u, v]| patch.jet(u, v)).collect();
-                Self::new(&jets, parameters, triangles)
+                let jets = parameters.clone().into_iter().map(|[u, v]| patch.jet(u, v));
+                Self::new(jets, parameters, triangles)
             }
         }
     }
 
-    fn new(jets: &[Jet], parameters: Vec<[f64; 2]>, triangles: Vec<[u32; 3]>) -> Self {
-        let points: Vec<Point> = jets.iter().map(|jet| jet.point).collect();
-        let mut around = vec![Point::ZERO; points.len()];
-        for &[a, b, c] in &triangles {
-            let [p, q, r] = [a, b, c].map(|k| points[k as usize]);
+    fn new(jets: impl Iterator<Item = Jet>, parameters: Vec<[f64; 2]>, triangles: Vec<[u32; 3]>) -> Self {
+        let count = parameters.len();
+        let mut mesh = Self {
+            points: Vec::with_capacity(count),
+            normals: Vec::with_capacity(count),
+            parameters,
+            mean_curvature: Vec::with_capacity(count),
+            gauss_curvature: Vec::with_capacity(count),
+            triangles,
+        };
+        let mut singular = Vec::new();
+        for jet in jets {
+            let normal = jet.normal();
+            if normal.is_none() {
+                singular.push(mesh.points.len());
+            }
+            mesh.points.push(jet.point);
+            mesh.normals.push(normal.unwrap_or(Point::new(0.0, 0.0, 1.0)));
+            mesh.mean_curvature.push(jet.mean_curvature());
+            mesh.gauss_curvature.push(jet.gauss_curvature());
+        }
+        mesh.mend_normals(&singular);
+        mesh
+    }
+
+    /// Where the patch is singular, the normal is that of the triangles around the vertex, if they have one.
+    fn mend_normals(&mut self, singular: &[usize]) {
+        if singular.is_empty() {
+            return;
+        }
+        let mut around = vec![Point::ZERO; self.points.len()];
+        for &[a, b, c] in &self.triangles {
+            let [p, q, r] = [a, b, c].map(|k| self.points[k as usize]);
             let normal = (q - p).cross(r - p);
             for k in [a, b, c] {
                 around[k as usize] += normal;
             }
         }
-        let normals = jets
-            .iter()
-            .zip(&around)
-            .map(|(jet, around)| jet.normal().or(around.unit()).unwrap_or(Point::new(0.0, 0.0, 1.0)))
-            .collect();
-        Self {
-            normals,
-            parameters,
-            mean_curvature: jets.iter().map(Jet::mean_curvature).collect(),
-            gauss_curvature: jets.iter().map(Jet::gauss_curvature).collect(),
-            points,
-            triangles,
+        for &k in singular {
+            if let Some(normal) = around[k].unit() {
+                self.normals[k] = normal;
+            }
         }
     }
 

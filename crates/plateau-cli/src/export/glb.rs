@@ -1,13 +1,15 @@
 //! Binary glTF 2.0: one mesh, coloured by its mean curvature, or moving between shapes.
 //!
-//! glTF has y up and single precision. The vertices keep their own coordinates; a rotation of the node turns z up.
+//! glTF has y up and single precision. The vertices keep their own coordinates; a rotation of the node turns z up. Far from the
+//! origin, where single precision would lose the shape, the vertices are seen from the middle of their box, and a translation of
+//! the node puts them back.
 
 use std::io::{self, Write};
 
 use serde_json::{Map, Value, json};
 use surfaces::{Mesh, Point};
 
-use super::{Export, Subject, colour, extent, fits_single};
+use super::{Export, Subject, colour, extent, single};
 
 /// Which parameter of a vertex, index or key frame a number is, in the terms of glTF.
 const FLOAT: u32 = 5126;
@@ -39,7 +41,7 @@ fn beyond_single() -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, why)
 }
 
-/// Writes the whole file.
+/// Writes the whole file, as it comes.
 ///
 /// # Errors
 /// `InvalidData` if a coordinate is beyond single precision or the file beyond 4 GiB, which the format cannot hold;
@@ -50,21 +52,20 @@ pub(crate) fn write(
     motion: Option<&Motion<'_>>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    if !fits_single(&mesh.points) {
+    if !single::fits(&mesh.points) {
         return Err(beyond_single());
     }
+    let origin = single::origin(&mesh.points);
     let mut buffer = Buffer::default();
-    let vectors = |points: &[Point]| -> Vec<[f32; 3]> {
-        points.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect()
-    };
     let mut attributes = Map::new();
-    attributes.insert("POSITION".into(), buffer.positions(&vectors(&mesh.points))?.into());
-    attributes.insert("NORMAL".into(), buffer.vectors(&vectors(&mesh.normals))?.into());
+    attributes
+        .insert("POSITION".into(), buffer.positions(&mesh.points, origin.unwrap_or(Point::ZERO))?.into());
+    attributes.insert("NORMAL".into(), buffer.vectors(&mesh.normals, Point::ZERO)?.into());
     let mut extras = Map::new();
     if motion.is_none()
         && let Some((colours, full)) = colour::by_mean_curvature(mesh)
     {
-        attributes.insert("COLOR_0".into(), buffer.colours(&colours).into());
+        attributes.insert("COLOR_0".into(), buffer.colours(colours).into());
         extras.insert("mean_curvature_at_full_colour".into(), full.into());
     }
     let mut primitive = json!({
@@ -76,19 +77,20 @@ pub(crate) fn write(
     let mut gltf_mesh = json!({ "name": name });
     let mut animations = Vec::new();
     if let Some(Motion { targets, keys }) = motion {
-        let moved =
-            targets.iter().map(|(_, shifts)| Ok(json!({ "POSITION": buffer.positions(&vectors(shifts))? })));
+        let moved = targets
+            .iter()
+            .map(|(_, shifts)| Ok(json!({ "POSITION": buffer.positions(shifts, Point::ZERO)? })));
         primitive["targets"] = moved.collect::<io::Result<Vec<Value>>>()?.into();
         gltf_mesh["weights"] = keys.first().map_or(Vec::new(), |(_, weights)| weights.clone()).into();
         extras.insert("targetNames".into(), targets.iter().map(|(name, _)| *name).collect());
-        let times: Vec<f32> = keys.iter().map(|(time, _)| *time as f32).collect();
-        let weights: Vec<f32> = keys.iter().flat_map(|(_, weights)| weights).map(|w| *w as f32).collect();
+        let times = keys.iter().map(|(time, _)| *time as f32).collect();
+        let weights = keys.iter().flat_map(|(_, weights)| weights).map(|w| *w as f32).collect();
         animations.push(json!({
             "name": name,
             "samplers": [{
-                "input": buffer.times(&times),
+                "input": buffer.times(times),
                 "interpolation": "LINEAR",
-                "output": buffer.scalars(&weights),
+                "output": buffer.scalars(weights),
             }],
             "channels": [{ "sampler": 0, "target": { "node": 0, "path": "weights" } }],
         }));
@@ -97,12 +99,11 @@ pub(crate) fn write(
     if !extras.is_empty() {
         gltf_mesh["extras"] = extras.into();
     }
-    let half = std::f64::consts::FRAC_1_SQRT_2;
     let mut root = json!({
         "asset": { "version": "2.0", "generator": concat!("plateau ", env!("CARGO_PKG_VERSION")) },
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
-        "nodes": [{ "name": name, "mesh": 0, "rotation": [-half, 0.0, 0.0, half] }],
+        "nodes": [node(name, origin)],
         "meshes": [gltf_mesh],
         "materials": [{
             "doubleSided": true,
@@ -112,14 +113,25 @@ pub(crate) fn write(
     if !animations.is_empty() {
         root["animations"] = animations.into();
     }
-    root["accessors"] = buffer.accessors.into();
-    root["bufferViews"] = buffer.views.into();
-    root["buffers"] = json!([{ "byteLength": buffer.bytes.len() }]);
-    chunks(&root, &buffer.bytes, out)
+    root["accessors"] = std::mem::take(&mut buffer.accessors).into();
+    root["bufferViews"] = std::mem::take(&mut buffer.views).into();
+    root["buffers"] = json!([{ "byteLength": buffer.length }]);
+    chunks(&root, &buffer, out)
+}
+
+/// The mesh with y up, moved to where it lies.
+fn node(name: &str, origin: Option<Point>) -> Value {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let mut node = json!({ "name": name, "mesh": 0, "rotation": [-half, 0.0, 0.0, half] });
+    if let Some(p) = origin {
+        // The translation follows the rotation.
+        node["translation"] = json!([p.x, p.z, -p.y]);
+    }
+    node
 }
 
 /// The two chunks of the container, each padded to four bytes.
-fn chunks(root: &Value, binary: &[u8], out: &mut dyn Write) -> io::Result<()> {
+fn chunks(root: &Value, buffer: &Buffer<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut text = serde_json::to_vec(root)?;
     text.resize(text.len().next_multiple_of(4), b' ');
     let length = |bytes: usize| {
@@ -128,78 +140,93 @@ fn chunks(root: &Value, binary: &[u8], out: &mut dyn Write) -> io::Result<()> {
         };
         u32::try_from(bytes).map_err(|_| too_long())
     };
+    let whole = length(12 + 8 + text.len() + 8 + buffer.length)?;
     out.write_all(b"glTF")?;
     out.write_all(&2u32.to_le_bytes())?;
-    out.write_all(&length(12 + 8 + text.len() + 8 + binary.len())?.to_le_bytes())?;
-    for (kind, bytes) in [(b"JSON", text.as_slice()), (b"BIN\0", binary)] {
-        out.write_all(&length(bytes.len())?.to_le_bytes())?;
-        out.write_all(kind)?;
-        out.write_all(bytes)?;
-    }
-    Ok(())
+    out.write_all(&whole.to_le_bytes())?;
+    out.write_all(&length(text.len())?.to_le_bytes())?;
+    out.write_all(b"JSON")?;
+    out.write_all(&text)?;
+    out.write_all(&length(buffer.length)?.to_le_bytes())?;
+    out.write_all(b"BIN\0")?;
+    buffer.parts.iter().try_for_each(|part| part(out))
 }
+
+/// A part of the binary chunk: it is made when it is written.
+type Part<'a> = Box<dyn Fn(&mut dyn Write) -> io::Result<()> + 'a>;
 
 /// The binary chunk as it grows, with the views and accessors into it. Everything in it is made of four-byte words.
 #[derive(Default)]
-struct Buffer {
-    bytes: Vec<u8>,
+struct Buffer<'a> {
+    parts: Vec<Part<'a>>,
+    length: usize,
     views: Vec<Value>,
     accessors: Vec<Value>,
 }
 
-impl Buffer {
-    /// Points, with their extent, which glTF demands of positions.
-    fn positions(&mut self, points: &[[f32; 3]]) -> io::Result<usize> {
-        let index = self.vectors(points)?;
-        let [low, high] = extent(points.iter().map(|p| p.map(f64::from)));
+impl<'a> Buffer<'a> {
+    /// Points as seen from `origin`, with their extent, which glTF demands of positions.
+    fn positions(&mut self, points: &'a [Point], origin: Point) -> io::Result<usize> {
+        let index = self.vectors(points, origin)?;
+        let [low, high] = extent(points.iter().map(|&p| rounded(p - origin).map(f64::from)));
         self.accessors[index]["min"] = json!(low);
         self.accessors[index]["max"] = json!(high);
         Ok(index)
     }
 
-    fn vectors(&mut self, vectors: &[[f32; 3]]) -> io::Result<usize> {
-        if !vectors.iter().flatten().all(|x| x.is_finite()) {
+    fn vectors(&mut self, vectors: &'a [Point], origin: Point) -> io::Result<usize> {
+        let seen = move || vectors.iter().map(move |&p| rounded(p - origin));
+        if !seen().flatten().all(f32::is_finite) {
             return Err(beyond_single());
         }
-        let bytes = vectors.iter().flatten().flat_map(|x| x.to_le_bytes());
-        Ok(self.accessor(bytes, Some(ARRAY_BUFFER), FLOAT, "VEC3", vectors.len()))
+        let words = move || seen().flatten().map(f32::to_le_bytes);
+        Ok(self.accessor(words, Some(ARRAY_BUFFER), FLOAT, ("VEC3", 3), vectors.len()))
     }
 
-    fn colours(&mut self, colours: &[[u8; 3]]) -> usize {
-        let bytes = colours.iter().flat_map(|c| c.map(linear).into_iter().chain([u8::MAX]));
-        let index = self.accessor(bytes, Some(ARRAY_BUFFER), UNSIGNED_BYTE, "VEC4", colours.len());
+    fn colours(&mut self, colours: Vec<[u8; 3]>) -> usize {
+        let count = colours.len();
+        let words = move || {
+            colours.clone().into_iter().map(|c| {
+                let [r, g, b] = c.map(linear);
+                [r, g, b, u8::MAX]
+            })
+        };
+        let index = self.accessor(words, Some(ARRAY_BUFFER), UNSIGNED_BYTE, ("VEC4", 1), count);
         self.accessors[index]["normalized"] = true.into();
         index
     }
 
-    fn indices(&mut self, triangles: &[[u32; 3]]) -> usize {
-        let bytes = triangles.iter().flatten().flat_map(|k| k.to_le_bytes());
-        self.accessor(bytes, Some(ELEMENT_ARRAY_BUFFER), UNSIGNED_INT, "SCALAR", 3 * triangles.len())
+    fn indices(&mut self, triangles: &'a [[u32; 3]]) -> usize {
+        let words = || triangles.iter().flatten().map(|k| k.to_le_bytes());
+        self.accessor(words, Some(ELEMENT_ARRAY_BUFFER), UNSIGNED_INT, ("SCALAR", 1), 3 * triangles.len())
     }
 
     /// Times, with their extent, which glTF demands of the input of an animation.
-    fn times(&mut self, times: &[f32]) -> usize {
+    fn times(&mut self, times: Vec<f32>) -> usize {
+        let ends = [times.first().copied(), times.last().copied()];
         let index = self.scalars(times);
-        self.accessors[index]["min"] = json!([times.first()]);
-        self.accessors[index]["max"] = json!([times.last()]);
+        self.accessors[index]["min"] = json!([ends[0]]);
+        self.accessors[index]["max"] = json!([ends[1]]);
         index
     }
 
-    fn scalars(&mut self, numbers: &[f32]) -> usize {
-        self.accessor(numbers.iter().flat_map(|x| x.to_le_bytes()), None, FLOAT, "SCALAR", numbers.len())
+    fn scalars(&mut self, numbers: Vec<f32>) -> usize {
+        let count = numbers.len();
+        let words = move || numbers.clone().into_iter().map(f32::to_le_bytes);
+        self.accessor(words, None, FLOAT, ("SCALAR", 1), count)
     }
 
-    fn accessor(
+    /// `count` elements of so many words each, of which `words` gives all in order.
+    fn accessor<I: Iterator<Item = [u8; 4]>>(
         &mut self,
-        bytes: impl Iterator<Item = u8>,
+        words: impl Fn() -> I + 'a,
         target: Option<u32>,
         component: u32,
-        kind: &str,
+        (kind, size): (&str, usize),
         count: usize,
     ) -> usize {
-        let offset = self.bytes.len();
-        self.bytes.extend(bytes);
-        let mut view = json!({ "buffer": 0, "byteOffset": offset, "byteLength": self.bytes.len() - offset });
+        let length = 4 * size * count;
+        let mut view = json!({ "buffer": 0, "byteOffset": self.length, "byteLength": length });
         if let Some(target) = target {
             view["target"] = target.into();
         }
@@ -210,8 +237,14 @@ impl Buffer {
             "type": kind,
         }));
         self.views.push(view);
+        self.length += length;
+        self.parts.push(Box::new(move |out| words().try_for_each(|word| out.write_all(&word))));
         self.accessors.len() - 1
     }
+}
+
+fn rounded(p: Point) -> [f32; 3] {
+    [p.x as f32, p.y as f32, p.z as f32]
 }
 
 /// An sRGB component as glTF's vertex colours want it: linear.
@@ -273,6 +306,25 @@ mod tests {
         assert!(primitive["attributes"]["COLOR_0"].is_number() && root["animations"].is_null());
         let indices = root["accessors"][primitive["indices"].as_u64().unwrap() as usize]["count"].as_u64();
         assert_eq!(indices, Some(3 * 32));
+    }
+
+    #[test]
+    fn far_from_the_origin_the_shape_is_kept() {
+        let (near, mut far) = (paraboloid(), paraboloid());
+        // Exact in double precision.
+        let offset = Point::new(500_000.0, 54_000_000.0, 128.0);
+        far.points.iter_mut().for_each(|p| *p += offset);
+        let mut bytes = Vec::new();
+        write("far", &far, None, &mut bytes).unwrap();
+        let (root, binary) = parts(&bytes);
+        let primitive = &root["meshes"][0]["primitives"][0];
+        let positions = floats(&root, &binary, &primitive["attributes"]["POSITION"]);
+        let [x, z, y] = [0, 1, 2].map(|k| root["nodes"][0]["translation"][k].as_f64().unwrap());
+        let middle = Point::new(x, -y, z);
+        for (p, q) in near.points.iter().zip(positions.chunks_exact(3)) {
+            let q = Point::new(q[0].into(), q[1].into(), q[2].into()) + middle - offset;
+            assert!(p.distance(q) < 1e-6, "{p:?} {q:?}");
+        }
     }
 
     #[test]

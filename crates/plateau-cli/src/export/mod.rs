@@ -4,8 +4,10 @@ mod colour;
 pub(crate) mod csv;
 pub(crate) mod deformation;
 mod glb;
+mod name;
 mod obj;
 mod ply;
+mod single;
 mod spline;
 mod step;
 mod stl;
@@ -14,11 +16,11 @@ mod vtu;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-use surfaces::{Mesh, Point};
+use surfaces::Mesh;
 use thiserror::Error;
 
 use crate::{DeliverError, Destination, Format};
-use plateau::{Family, Surface};
+use plateau::{Family, MAX_COORDINATE, Surface};
 use step::StepFile;
 
 /// Largest distance of a fitted surface from the patch where none is asked for, as a share of the size.
@@ -34,15 +36,20 @@ pub(crate) struct Subject<'a> {
 
 /// One file format of meshes.
 pub(crate) trait Export {
-    /// Writes the whole file.
+    /// Writes the whole file, as it comes.
     fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()>;
+
+    /// What the file does not hold of the mesh, if that is more than rounding relative to the size.
+    fn form(&self, _: &Subject<'_>) -> Option<SurfaceForm> {
+        None
+    }
 }
 
-/// How a file holds a surface that its format holds by a formula, not by a mesh.
+/// How a file holds its surface, where that takes saying: by a formula instead of a mesh, or with less than all digits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceForm {
     /// No point of the file's surface is farther from the point of the patch with the same parameters: the largest
-    /// distance measured, times 1.25. None if the surface is the patch itself.
+    /// distance measured, times 1.25. None if the surface is the patch itself. Of meshes: no vertex is farther.
     pub deviation: Option<f64>,
     /// The same in words, with degree and segments.
     pub description: String,
@@ -120,17 +127,11 @@ fn encode(
             return Ok(Some(SurfaceForm { deviation: file.deviation(), description: file.description() }));
         }
     };
+    if let Some(reason) = overflow(subject.mesh) {
+        return Err(refused(reason));
+    }
     put(&|out| exporter.write(subject, out))?;
-    Ok(None)
-}
-
-/// Whether single precision holds points: none overflows, and the box around them keeps its size.
-fn fits_single(points: &[Point]) -> bool {
-    const HALF_OF_THE_DIGITS: f64 = 4096.0;
-    let extent = diagonal(points.iter().map(|&p| p.into()));
-    let largest = points.iter().flat_map(|&p| <[f64; 3]>::from(p)).fold(0.0, |m: f64, x| m.max(x.abs()));
-    largest <= f64::from(f32::MAX)
-        && (extent == 0.0 || extent >= HALF_OF_THE_DIGITS * f64::from(f32::MIN_POSITIVE))
+    Ok(exporter.form(subject))
 }
 
 /// The diagonal of the least box around points.
@@ -146,7 +147,17 @@ fn extent(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
     })
 }
 
-/// Names come from the experiment file and may hold anything; a line break would be read as data.
-fn one_line(name: &str) -> String {
-    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+/// What a mesh file holds of its mesh cannot be told from nothing if a number is not finite: coordinates near the end of double
+/// precision overflow in normals and curvatures.
+fn overflow(mesh: &Mesh) -> Option<String> {
+    let vectors = mesh.points.iter().chain(&mesh.normals).flat_map(|p| [p.x, p.y, p.z]);
+    let curvatures = mesh.mean_curvature.iter().chain(&mesh.gauss_curvature).flatten().copied();
+    let is_finite = vectors.chain(curvatures).all(f64::is_finite);
+    let largest = mesh.points.iter().flat_map(|p| [p.x, p.y, p.z]).fold(0.0, |m: f64, x| m.max(x.abs()));
+    (!is_finite).then(|| {
+        format!(
+            "points, normals or curvatures of its mesh are beyond double precision, with coordinates up to {largest:.1e}: \
+             scale its control points to at most {MAX_COORDINATE:.0e}"
+        )
+    })
 }

@@ -2,15 +2,18 @@
 
 use std::io::{self, Write};
 
-use super::{Export, Subject, one_line};
+use super::name::one_line;
+use super::{Export, Subject};
 
 pub(crate) struct Obj;
 
 impl Export for Obj {
     fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()> {
         let mesh = subject.mesh;
-        writeln!(out, "# {}", one_line(subject.name))?;
-        writeln!(out, "o {}", one_line(subject.name).replace(' ', "_"))?;
+        // A backslash at the end of a line continues it.
+        let name = one_line(subject.name).replace('\\', "/");
+        writeln!(out, "# {name}")?;
+        writeln!(out, "o {}", name.replace(' ', "_"))?;
         for p in &mesh.points {
             writeln!(out, "v {} {} {}", p.x, p.y, p.z)?;
         }

@@ -5,7 +5,8 @@
 
 use std::io::{self, Write};
 
-use super::{Export, Subject, colour, one_line};
+use super::name::ascii;
+use super::{Export, Subject, colour};
 
 const HEADER: &str = "\
 property double x
@@ -32,7 +33,9 @@ impl Export for Ply {
     fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()> {
         let mesh = subject.mesh;
         let colours = colour::by_mean_curvature(mesh);
-        writeln!(out, "ply\nformat binary_little_endian 1.0\ncomment {}", one_line(subject.name))?;
+        // Some readers look for the end of the header anywhere in it.
+        let name = ascii(subject.name).replace("end_header", "end header");
+        writeln!(out, "ply\nformat binary_little_endian 1.0\ncomment {name}")?;
         match &colours {
             Some((_, full)) => writeln!(
                 out,

@@ -5,6 +5,7 @@
 use std::io::{self, Write};
 
 use surfaces::Point;
+use thiserror::Error;
 
 use super::spline::{Accuracy, Knots, Spline, SplineError};
 use plateau::{Family, Surface};
@@ -14,6 +15,35 @@ const SAME: f64 = 1e-10;
 
 /// Smallest distance CAD programs tell apart, in the unit of the file.
 const SMALLEST_TOLERANCE: f64 = 1e-7;
+
+/// Lengths from which on CAD programs take a coordinate for infinite.
+const INFINITE: f64 = 1e99;
+
+/// Why STEP cannot hold a surface.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub(crate) enum StepError {
+    /// There is no spline.
+    #[error(transparent)]
+    Spline(#[from] SplineError),
+    /// It is one point to whoever reads it.
+    #[error(
+        "{part} is {length:.1e} across, and the millimetres of STEP are told apart from 1e-7 on: scale the boundary"
+    )]
+    TooSmall {
+        /// What is too small.
+        part: &'static str,
+        /// The diagonal of the box around its control points.
+        length: f64,
+    },
+    /// Coordinates that mean nothing to CAD programs.
+    #[error(
+        "it has coordinates up to {largest:.1e}, and CAD programs take those above 1e99 for infinite: scale the boundary"
+    )]
+    TooLarge {
+        /// The largest coordinate of a control point.
+        largest: f64,
+    },
+}
 
 /// A surface as it goes into the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,11 +66,32 @@ impl StepFile {
     /// The file of a surface, the spline exact or within `tolerance` times its size.
     ///
     /// # Errors
-    /// [`SplineError`] if there is no such spline.
-    pub(crate) fn new(surface: &Surface, family: Family, tolerance: f64) -> Result<Self, SplineError> {
+    /// [`StepError`] if there is no such spline, or none that CAD programs can read.
+    pub(crate) fn new(surface: &Surface, family: Family, tolerance: f64) -> Result<Self, StepError> {
         let (spline, accuracy) = Spline::of(surface, family, tolerance)?;
+        let coordinates = || spline.points.iter().flat_map(|p| [p.x, p.y, p.z]);
+        if !coordinates().all(|x| x.abs() <= INFINITE) {
+            let largest = coordinates().fold(0.0, |m: f64, x| m.max(x.abs()));
+            return Err(StepError::TooLarge { largest });
+        }
         let size = super::diagonal(spline.points.iter().map(|p| [p.x, p.y, p.z]));
-        Ok(Self { spline, accuracy, size })
+        let file = Self { spline, accuracy, size };
+        if size < 2.0 * SMALLEST_TOLERANCE {
+            return Err(StepError::TooSmall { part: "it", length: size });
+        }
+        let names = ["its side v = start", "its side u = end", "its side v = end", "its side u = start"];
+        for (side, part) in file.sides().iter().zip(names) {
+            let length = super::diagonal(side.points.iter().map(|p| [p.x, p.y, p.z]));
+            // A side in one point, up to rounding, has no edge.
+            if length < 2.0 * SMALLEST_TOLERANCE && !file.is_point(side) {
+                return Err(StepError::TooSmall { part, length });
+            }
+        }
+        Ok(file)
+    }
+
+    fn is_point(&self, side: &Side) -> bool {
+        side.points.iter().all(|&p| self.same(p, side.points[0]))
     }
 
     /// The largest distance from the patch that the file states; none if the surface is the patch itself.
@@ -114,7 +165,7 @@ impl StepFile {
         let mut edges: Vec<(Vec<Point>, usize)> = Vec::new();
         let mut border = Vec::new();
         for side in self.sides() {
-            if side.points.iter().all(|&p| self.same(p, side.points[0])) {
+            if self.is_point(&side) {
                 continue;
             }
             let mut ends = [0; 2];
@@ -261,11 +312,13 @@ fn real(x: f64) -> String {
     }
 }
 
-/// A string of ISO 10303-21: quotes and backslashes doubled, what is not printable ASCII as UTF-16 in hexadecimal.
+/// A string of ISO 10303-21: quotes and backslashes doubled, what is not printable ASCII as UTF-16 in hexadecimal. A quote
+/// before what would follow the end of a string is taken for that end by OpenCASCADE: the typographic one stands for it.
 fn text(words: &str) -> String {
     let mut coded = String::from("'");
-    for c in words.chars() {
+    for (k, c) in words.char_indices() {
         match c {
+            '\'' if words[k + 1..].trim_start().starts_with([')', ',', ';']) => coded += "\\X2\\2019\\X0\\",
             '\'' | '\\' => coded.extend([c, c]),
             ' '..='~' => coded.push(c),
             c if c.is_control() => coded.push(' '),
@@ -302,6 +355,7 @@ mod tests {
 
     #[test]
     fn strings_are_coded() {
+        assert_eq!(text("'); ' )"), "'\\X2\\2019\\X0\\); \\X2\\2019\\X0\\ )'");
         assert_eq!(text("it's \\ α\n𝔸"), "'it''s \\\\ \\X2\\03B1\\X0\\ \\X4\\0001D538\\X0\\'");
     }
 }

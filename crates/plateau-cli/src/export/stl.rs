@@ -4,7 +4,9 @@ use std::io::{self, ErrorKind, Write};
 
 use surfaces::Point;
 
-use super::{Export, Subject, fits_single};
+use super::name::ascii;
+use super::single::{self, Loss};
+use super::{Export, Subject, SurfaceForm};
 
 /// Bytes of the free text at the head of the file.
 const HEADER: usize = 80;
@@ -16,13 +18,13 @@ impl Export for Stl {
     /// `InvalidData` if a coordinate is beyond single precision, which the format cannot hold; else what `out` says.
     fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()> {
         let mesh = subject.mesh;
-        if !fits_single(&mesh.points) {
+        if !single::fits(&mesh.points) {
             return Err(invalid(
                 "its coordinates are beyond the single precision of STL: scale the points, or write another format",
             ));
         }
         // Some programs take any file that begins with "solid" for the text form.
-        let mut header: Vec<u8> = format!("plateau: {}", subject.name).into_bytes();
+        let mut header: Vec<u8> = format!("plateau: {}", ascii(subject.name)).into_bytes();
         header.resize(HEADER, b' ');
         out.write_all(&header)?;
         let count = u32::try_from(mesh.triangles.len())
@@ -39,6 +41,16 @@ impl Export for Stl {
             out.write_all(&[0; 2])?;
         }
         Ok(())
+    }
+
+    fn form(&self, subject: &Subject<'_>) -> Option<SurfaceForm> {
+        Loss::of(&subject.mesh.points).map(|Loss { distance, share }| SurfaceForm {
+            deviation: Some(distance),
+            description: format!(
+                "far from the origin, the single precision of STL moves coordinates by up to {distance:.1e} ({share:.1e} of \
+                 the size): move the points to the origin, or write another format"
+            ),
+        })
     }
 }
 

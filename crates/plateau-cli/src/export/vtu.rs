@@ -5,7 +5,8 @@
 
 use std::io::{self, Write};
 
-use base64::prelude::{BASE64_STANDARD, Engine};
+use base64::prelude::BASE64_STANDARD;
+use base64::write::EncoderWriter;
 use surfaces::Mesh;
 
 use super::{Export, Subject};
@@ -27,54 +28,60 @@ impl Export for Vtu {
         writeln!(out, "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">")?;
         point_data(mesh, out)?;
         writeln!(out, "<Points>")?;
-        doubles("points", 3, mesh.points.iter().flat_map(|p| [p.x, p.y, p.z]), out)?;
+        doubles("points", [points, 3], mesh.points.iter().flat_map(|p| [p.x, p.y, p.z]), out)?;
         writeln!(out, "</Points>\n<Cells>")?;
-        let corners = mesh.triangles.iter().flatten().flat_map(|&k| i64::from(k).to_le_bytes());
-        array("Int64", "connectivity", 1, corners, out)?;
-        array("Int64", "offsets", 1, (1..=cells as i64).flat_map(|k| (3 * k).to_le_bytes()), out)?;
-        array("UInt8", "types", 1, mesh.triangles.iter().map(|_| TRIANGLE), out)?;
+        let corners = mesh.triangles.iter().flatten().map(|&k| i64::from(k).to_le_bytes());
+        array("Int64", "connectivity", [3 * cells, 1], corners, out)?;
+        array("Int64", "offsets", [cells, 1], (1..=cells as i64).map(|k| (3 * k).to_le_bytes()), out)?;
+        array("UInt8", "types", [cells, 1], mesh.triangles.iter().map(|_| [TRIANGLE]), out)?;
         out.write_all(b"</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
     }
 }
 
 fn point_data(mesh: &Mesh, out: &mut dyn Write) -> io::Result<()> {
+    let points = mesh.points.len();
     writeln!(out, "<PointData Scalars=\"mean_curvature\" Normals=\"normals\" TCoords=\"parameters\">")?;
     for (name, values) in
         [("mean_curvature", &mesh.mean_curvature), ("gauss_curvature", &mesh.gauss_curvature)]
     {
-        doubles(name, 1, values.iter().map(|value| value.unwrap_or(0.0)), out)?;
+        doubles(name, [points, 1], values.iter().map(|value| value.unwrap_or(0.0)), out)?;
     }
     if mesh.mean_curvature.contains(&None) {
-        array("UInt8", "singular", 1, mesh.mean_curvature.iter().map(|h| u8::from(h.is_none())), out)?;
+        let singular = mesh.mean_curvature.iter().map(|h| [u8::from(h.is_none())]);
+        array("UInt8", "singular", [points, 1], singular, out)?;
     }
-    doubles("normals", 3, mesh.normals.iter().flat_map(|n| [n.x, n.y, n.z]), out)?;
-    doubles("parameters", 2, mesh.parameters.iter().copied().flatten(), out)?;
+    doubles("normals", [points, 3], mesh.normals.iter().flat_map(|n| [n.x, n.y, n.z]), out)?;
+    doubles("parameters", [points, 2], mesh.parameters.iter().copied().flatten(), out)?;
     writeln!(out, "</PointData>")
 }
 
 fn doubles(
     name: &str,
-    components: usize,
+    size: [usize; 2],
     values: impl Iterator<Item = f64>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    array("Float64", name, components, values.flat_map(f64::to_le_bytes), out)
+    array("Float64", name, size, values.map(f64::to_le_bytes), out)
 }
 
-/// One array: the number of its bytes, then the bytes, in base64.
-fn array(
+/// One array of so many tuples of so many numbers: the number of its bytes, then the bytes, in base64, as they come.
+fn array<const N: usize>(
     kind: &str,
     name: &str,
-    components: usize,
-    bytes: impl Iterator<Item = u8>,
+    [tuples, components]: [usize; 2],
+    numbers: impl Iterator<Item = [u8; N]>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let data: Vec<u8> = bytes.collect();
     writeln!(
         out,
         "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"binary\">"
     )?;
-    let counted = [&(data.len() as u64).to_le_bytes(), data.as_slice()].concat();
-    out.write_all(BASE64_STANDARD.encode(counted).as_bytes())?;
+    let mut coded = EncoderWriter::new(&mut *out, &BASE64_STANDARD);
+    coded.write_all(&((N * tuples * components) as u64).to_le_bytes())?;
+    for bytes in numbers {
+        coded.write_all(&bytes)?;
+    }
+    coded.finish()?;
+    drop(coded);
     writeln!(out, "\n</DataArray>")
 }
