@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
-use plateau_benches::{FixtureError, Reduced, example_5_1, separable_parametric, shapes, wave};
+use plateau_benches::{FixtureError, example_5_1, gt_dirichlet, separable_parametric, shapes, wave};
 use solve::Path;
 
 /// Particles of a swarm, evaluated in one call.
@@ -25,8 +25,8 @@ fn parametric(criterion: &mut Criterion) -> Result<(), FixtureError> {
         let mut group = criterion.benchmark_group(format!("parametric_{path}"));
         for degree in [3, 5, 8] {
             let net = if degree == 3 { example_5_1()? } else { wave(degree)? };
-            let Ok(reduced) = Reduced::new(&net)?.with_path(path) else { continue };
-            let parametric = &reduced.parametric;
+            let Ok(reduced) = gt_dirichlet(&net)?.with_path(path) else { continue };
+            let parametric = reduced.system();
             let mut out = [0.0; BATCH];
             group.throughput(Throughput::Elements(BATCH as u64));
             group.bench_function(BenchmarkId::new("batch_of_50", degree), |bencher| {

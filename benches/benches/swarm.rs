@@ -4,14 +4,14 @@ use std::hint::black_box;
 
 use criterion::Throughput;
 use optim::{Polish, Pso, Topology};
-use plateau_benches::{FixtureError, Reduced, example_5_1, search_box};
+use plateau_benches::{FixtureError, example_5_1, gt_dirichlet, search_box};
 use rayon::ThreadPoolBuilder;
 
 const RUNS: usize = 10;
 
 fn main() -> Result<(), FixtureError> {
     let mut criterion = plateau_benches::criterion();
-    let (reduced, bounds) = (Reduced::new(&example_5_1()?)?, search_box()?);
+    let (reduced, bounds) = (gt_dirichlet(&example_5_1()?)?, search_box()?);
     let polish = Polish::default();
     let mut group = criterion.benchmark_group("search");
     for (threads, label) in [(1, "one_thread"), (0, "all_threads")] {

@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use optim::{Polish, Pso};
-use plateau_benches::{FixtureError, Reduced, example_5_1, search_box};
+use plateau_benches::{FixtureError, example_5_1, gt_dirichlet, search_box};
 use rayon::ThreadPoolBuilder;
 
 const RUNS: usize = 10;
@@ -29,9 +29,9 @@ fn seconds(repeats: usize, mut call: impl FnMut()) -> [f64; 2] {
 }
 
 fn main() -> Result<(), FixtureError> {
-    let (reduced, bounds) = (Reduced::new(&example_5_1()?)?, search_box()?);
+    let (reduced, bounds) = (gt_dirichlet(&example_5_1()?)?, search_box()?);
     let (pso, polish) = (Pso::new(7), Polish::default());
-    println!("path {}", reduced.parametric.path());
+    println!("path {}", reduced.path());
     for (threads, label) in [(1, "one-thread"), (0, "all-threads")] {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
         println!("threads-{label} {}", pool.current_num_threads());

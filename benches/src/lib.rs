@@ -1,12 +1,11 @@
 //! Fixtures of the benchmarks: boundary nets, and their reduced energy as the solver and the searches take it.
 //!
-//! Everything here is a few lines of glue that `plateau` keeps to itself, repeated so that its parts can be timed one
-//! at a time; the laws in `tests/` hold it against the known minima of GT Examples 5.1 and 5.2.
+//! The laws in `tests/` hold it against the known minima of GT Examples 5.1 and 5.2.
 //!
 //! ```
-//! use plateau_benches::{Reduced, example_5_1, search_box};
+//! use plateau_benches::{example_5_1, gt_dirichlet, search_box};
 //!
-//! let reduced = Reduced::new(&example_5_1()?)?;
+//! let reduced = gt_dirichlet(&example_5_1()?)?;
 //! let found = optim::Polish::default().run(&reduced, &search_box()?, &[1.0; 4])?;
 //! assert!((found.value - 37.4395612).abs() < 1e-7);
 //! # Ok::<(), plateau_benches::FixtureError>(())
@@ -14,14 +13,14 @@
 
 mod net;
 mod problem;
-mod reduced;
 mod samples;
+mod search_box;
 mod settings;
 
 pub use net::{example_5_1, example_5_2, wave};
-pub use problem::{gt_dirichlet, interior, parametric_problem};
-pub use reduced::{Reduced, search_box, shapes};
+pub use problem::{gt_dirichlet, interior};
 pub use samples::{affine_samples, gt_samples, separable_parametric};
+pub use search_box::{search_box, shapes};
 pub use settings::criterion;
 
 /// Whatever a fixture could not be made for.

@@ -1,10 +1,11 @@
 //! The gradient that comes with a solve is the derivative of the reduced energy: for both solvers, and for every form
 //! that the energies hand to them. Errors are relative to J, whose rounding is what limits a difference.
 
-use energy::{Functional, ShapeForm, ShapedPatch};
-use plateau_benches::{gt_dirichlet, parametric_problem, separable_parametric};
+use energy::{Functional, ShapedPatch};
+use plateau::ReducedEnergy;
+use plateau_benches::{gt_dirichlet, separable_parametric};
 use proptest::prelude::*;
-use solve::{Parametric, ParametricProblem, Path};
+use solve::Path;
 use surfaces::{Net, Point};
 
 /// A boundary over [0, m] × [0, n] whose points are moved by `noise`, one number a coordinate, used in turn.
@@ -49,13 +50,12 @@ proptest! {
         ]),
         patch in prop::sample::select(vec![ShapedPatch::Gt, ShapedPatch::TbCoons]),
     ) {
-        let form = ShapeForm::of(functional, patch, (m, n)).unwrap();
-        let problem = parametric_problem(&form, &net(m, n, &noise));
-        let parametric = Parametric::new(&problem).unwrap();
+        let net = net(m, n, &noise);
+        let parametric = ReducedEnergy::new(functional, patch, &net).unwrap().system().clone();
         // With nothing solved for, the energy of the boundary alone: the number that J is a difference from. Energies of
         // second derivatives cancel several digits of it.
-        let boundary = ParametricProblem { free_left: vec![], free_right: vec![], ..problem };
-        let boundary = Parametric::new(&boundary).unwrap().value(&shape);
+        let boundary = ReducedEnergy::new(functional, patch, &net.with_all_fixed()).unwrap();
+        let boundary = boundary.system().value(&shape);
         for path in [Path::Portable, Path::detect()] {
             let parametric = parametric.clone().with_path(path).unwrap();
             let mut gradient = [0.0; 4];
@@ -90,7 +90,7 @@ proptest! {
         shape in prop::array::uniform4(0.6..3.4f64),
     ) {
         let net = net(m, n, &noise);
-        let by_tables = Parametric::new(&gt_dirichlet(&net).unwrap()).unwrap().value(&shape);
+        let by_tables = gt_dirichlet(&net).unwrap().system().value(&shape);
         let by_samples = separable_parametric(&net).unwrap().value(&shape);
         prop_assert!((by_tables - by_samples).abs() <= 1e-9 * by_samples, "{by_tables} {by_samples}");
     }

@@ -1,7 +1,7 @@
 //! Descents from random starts all end in the one minimum of J, within a handful of evaluations.
 
 use optim::{Polish, PolishReason};
-use plateau_benches::{Reduced, example_5_1, example_5_2, search_box};
+use plateau_benches::{example_5_1, example_5_2, gt_dirichlet, search_box};
 use solve::Path;
 use surfaces::Net;
 
@@ -9,7 +9,7 @@ const STARTS: usize = 100;
 
 fn descents_agree(net: &Net, minimum: f64) {
     for path in [Path::Portable, Path::detect()] {
-        let reduced = Reduced::new(net).unwrap().with_path(path).unwrap();
+        let reduced = gt_dirichlet(net).unwrap().with_path(path).unwrap();
         let bounds = search_box().unwrap();
         let mut evaluations = Vec::new();
         let mut values = Vec::new();

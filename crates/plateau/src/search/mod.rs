@@ -5,8 +5,10 @@ mod least_area;
 mod options;
 mod outcome;
 mod reduced;
+mod reduced_energy;
 mod runs;
 
 pub use options::{MAX_SEARCH_BUDGET, Search, SearchMode, Variant};
 pub use outcome::{SearchOutcome, SearchRun};
+pub use reduced_energy::ReducedEnergy;
 pub(crate) use runs::search;

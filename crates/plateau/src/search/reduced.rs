@@ -1,22 +1,21 @@
 //! The reduced energy J(α) = min over the free points, as the swarm and the polish ask for it.
 
 use bases::{Basis, GtParts};
-use energy::{ShapeForm, ShapedPatch};
+use energy::ShapedPatch;
 use optim::{Objective, Smooth};
-use solve::{
-    AffineSamples, Parametric, ParametricProblem, Path, PolynomialMatrix, SeparableParametric, Term,
-};
+use solve::{AffineSamples, Path, SeparableParametric};
 use surfaces::Net;
 
 use super::composed::Composed;
 use super::least_area::LeastArea;
+use super::reduced_energy::ReducedEnergy;
 use crate::interior::extremal::prefers_separable;
 use crate::{Arithmetic, Energy, Method, MethodError, Patch, Progress, SolverChoice};
 
 /// J of a method over a net; the gradient comes with the solve, by the envelope theorem.
 pub(super) enum Reduced<'a> {
     /// Polynomials of the shape, contracted with the boundary once: for small nets, any quadratic energy, any blend.
-    Parametric(Box<Parametric>),
+    Parametric(Box<ReducedEnergy>),
     /// Samples of the functions, orthonormalised at every shape: for large nets, where Gram matrices lose digits.
     Separable(Box<SeparableParametric>),
     /// The least area over the border: a minimisation at every shape.
@@ -54,23 +53,11 @@ impl<'a> Reduced<'a> {
             return Ok(Self::Separable(Box::new(system)));
         }
         let kind = if method.patch == Patch::TbCoons { ShapedPatch::TbCoons } else { ShapedPatch::Gt };
-        let form = ShapeForm::of(energy, kind, (m, n))?;
-        let parametric = Parametric::new(&ParametricProblem {
-            left: matrices(&form.left),
-            right: matrices(&form.right),
-            terms: form
-                .terms
-                .iter()
-                .map(|t| Term { coefficient: t.coefficient, left: t.left, right: t.right })
-                .collect(),
-            free_left: interior(m),
-            free_right: interior(n),
-            values: net.coordinates(),
-        })?;
+        let reduced = ReducedEnergy::new(energy, kind, net)?;
         Ok(Self::Parametric(Box::new(match arithmetic {
-            Arithmetic::Auto => parametric,
-            Arithmetic::Portable => parametric.with_path(Path::Portable)?,
-            Arithmetic::Fma => parametric.with_path(Path::Fma)?,
+            Arithmetic::Auto => reduced,
+            Arithmetic::Portable => reduced.with_path(Path::Portable)?,
+            Arithmetic::Fma => reduced.with_path(Path::Fma)?,
         })))
     }
 
@@ -94,15 +81,6 @@ impl<'a> Reduced<'a> {
             Self::Separable(_) | Self::Area(_) | Self::Composed(_) => "native",
         }
     }
-}
-
-fn matrices(grams: &[energy::GramPolynomial]) -> Vec<PolynomialMatrix> {
-    let matrix = |gram: &energy::GramPolynomial| PolynomialMatrix {
-        rows: gram.coefficients[0].rows(),
-        cols: gram.coefficients[0].cols(),
-        coefficients: gram.coefficients.each_ref().map(|c| c.as_slice().to_vec()),
-    };
-    grams.iter().map(matrix).collect()
 }
 
 /// The GT functions of one degree and their derivatives, split into the parts affine in the shape.
@@ -132,21 +110,16 @@ impl Objective for Reduced<'_> {
     }
 
     fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        let evaluated = match self {
-            Self::Parametric(system) => system.values(points, values),
-            Self::Separable(system) => system.values(points, values),
-            Self::Area(least) => {
-                least.evaluate(points, values);
-                Ok(())
+        match self {
+            Self::Parametric(reduced) => reduced.evaluate(points, values),
+            Self::Separable(system) => {
+                // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
+                if system.values(points, values).is_err() {
+                    values.fill(f64::NAN);
+                }
             }
-            Self::Composed(composed) => {
-                composed.evaluate(points, values);
-                Ok(())
-            }
-        };
-        // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
-        if evaluated.is_err() {
-            values.fill(f64::NAN);
+            Self::Area(least) => least.evaluate(points, values),
+            Self::Composed(composed) => composed.evaluate(points, values),
         }
     }
 }
@@ -157,14 +130,16 @@ impl Smooth for Reduced<'_> {
     }
 
     fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        let (shape, mut by_shape) = (std::array::from_fn(|k| point[k]), [0.0; 4]);
-        let value = match self {
-            Self::Parametric(system) => system.value_and_gradient(&shape, &mut by_shape),
-            Self::Separable(system) => system.value_and_gradient(&shape, &mut by_shape),
-            Self::Area(least) => return least.value_and_gradient(point, gradient),
-            Self::Composed(composed) => return composed.value_and_gradient(point, gradient),
-        };
-        gradient.copy_from_slice(&by_shape);
-        value
+        match self {
+            Self::Parametric(reduced) => reduced.value_and_gradient(point, gradient),
+            Self::Separable(system) => {
+                let (shape, mut by_shape) = (std::array::from_fn(|k| point[k]), [0.0; 4]);
+                let value = system.value_and_gradient(&shape, &mut by_shape);
+                gradient.copy_from_slice(&by_shape);
+                value
+            }
+            Self::Area(least) => least.value_and_gradient(point, gradient),
+            Self::Composed(composed) => composed.value_and_gradient(point, gradient),
+        }
     }
 }
