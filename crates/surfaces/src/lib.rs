@@ -52,7 +52,9 @@ mod triangle;
 mod triangle_basis;
 mod triangle_net;
 
-pub use complex::{Complex, ComplexError, Edge, EdgeUse, Face, FixedEdge, Side, Vertex};
+pub use complex::{
+    Complex, ComplexError, ComplexMesh, Edge, EdgeUse, Face, FixedEdge, Orientation, Side, Vertex,
+};
 pub use curve::{Curve, CurveJet};
 pub use curves::{
     Bezier, BoundaryCurve, CurveError, CurveFit, Deviation, EllipseArc, Polyline, Samples, SplineCurve,

@@ -204,3 +204,81 @@ fn unsound_complexes_are_refused() {
     assert!(matches!(complex.with_degree(2), Err(ComplexError::Lowered { degree: 2, own: 3 })));
     assert!(matches!(complex.with_degree(1000), Err(ComplexError::Degree { .. })));
 }
+
+/// Three pages of a book have no sides; a ring of quads glued with a half turn has one; a ring without it two.
+#[test]
+fn sides_are_told_where_there_are_two() {
+    let ring = |twisted: bool| {
+        let n = 5;
+        let mut vertices = Vec::new();
+        for k in 0..n {
+            let angle = std::f64::consts::TAU * k as f64 / n as f64;
+            let half = if twisted { 0.5 * angle } else { 0.0 };
+            let at = |s: f64| {
+                let r = 2.0 + s * libm::cos(half);
+                Point::new(r * libm::cos(angle), r * libm::sin(angle), s * libm::sin(half))
+            };
+            vertices.extend([Vertex::Fixed(at(-0.5)), Vertex::Fixed(at(0.5))]);
+        }
+        let faces: Vec<[usize; 4]> = (0..n)
+            .map(|k| {
+                let (a, b) = (2 * k, 2 * k + 1);
+                let next = 2 * ((k + 1) % n);
+                let turn = usize::from(twisted && k + 1 == n);
+                let quad = [a, b, next + 1 - turn, next + turn];
+                // One face the other way round.
+                if k == 2 { [quad[3], quad[2], quad[1], quad[0]] } else { quad }
+            })
+            .collect();
+        Complex::new(3, &vertices, &faces, &[]).unwrap()
+    };
+    let (band, mobius) = (ring(false), ring(true));
+    assert!(band.orientation().is_consistent());
+    assert_eq!(band.orientation().flipped().iter().filter(|f| **f).count(), 1);
+    assert_eq!(mobius.orientation().torn().len(), 1);
+    for (complex, torn) in [(band, 0), (mobius, 4)] {
+        let mesh = complex.mesh(4).unwrap();
+        let mut directed = std::collections::HashMap::new();
+        for &[a, b, c] in &mesh.mesh.triangles {
+            for edge in [[a, b], [b, c], [c, a]] {
+                *directed.entry(edge).or_insert(0) += 1;
+            }
+        }
+        assert_eq!(
+            directed.values().filter(|count| **count > 1).count(),
+            torn,
+            "edges run through twice alike"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    #[test]
+    fn meshes_are_watertight(sides in sides(), n in 1usize..6) {
+        let complex = fan(&sides).complex(4).unwrap();
+        let meshed = complex.mesh(n).unwrap();
+        let mesh = &meshed.mesh;
+        let faces = complex.faces().len();
+        prop_assert_eq!((mesh.triangles.len(), meshed.faces.len()), (2 * n * n * faces, 2 * n * n * faces));
+        prop_assert_eq!(mesh.points.len(), faces * n * n + faces * n + 1, "a disc of quads around a vertex");
+        let mut times = std::collections::HashMap::new();
+        for &[a, b, c] in &mesh.triangles {
+            for [a, b] in [[a, b], [b, c], [c, a]] {
+                *times.entry([a.min(b), a.max(b)]).or_insert(0usize) += 1;
+            }
+        }
+        let rim: Vec<&[u32; 2]> = times.iter().filter(|(_, count)| **count == 1).map(|(edge, _)| edge).collect();
+        prop_assert_eq!(rim.len(), 2 * n * faces);
+        prop_assert!(times.values().all(|count| *count <= 2));
+        for (number, run) in meshed.edges.iter().enumerate() {
+            let curve = complex.edge_curve(number);
+            for (k, &vertex) in run.iter().enumerate() {
+                let point = curve.point(k as f64 / n as f64);
+                prop_assert!(mesh.points[vertex as usize].distance(point) < 1e-13);
+            }
+        }
+        prop_assert!(mesh.normals.iter().all(|normal| (normal.norm() - 1.0).abs() < 1e-12));
+    }
+}

@@ -4,9 +4,13 @@ mod coons;
 mod degree;
 mod error;
 mod layout;
+mod mesh;
+mod orientation;
 
 pub use error::ComplexError;
 pub use layout::{Edge, EdgeUse, Face, Side};
+pub use mesh::ComplexMesh;
+pub use orientation::Orientation;
 
 use crate::net::extent;
 use crate::{Bezier, Net, Point, SurfaceError, TensorPatch};
