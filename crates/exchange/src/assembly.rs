@@ -1,6 +1,6 @@
 //! One boundary of the curves of a file.
 
-use surfaces::Point;
+use surfaces::{BoundaryCurve, CurveError, Point};
 use thiserror::Error;
 
 use crate::{CurveFile, Shape};
@@ -13,6 +13,7 @@ mod junction;
 mod loops;
 mod network;
 mod side;
+mod split;
 mod weld;
 
 use network::Network;
@@ -50,6 +51,35 @@ pub struct Side {
     pub ends: Option<[usize; 2]>,
     /// What it is. Polylines and splines end in their vertices digit for digit; the points of a closed polyline end with the first.
     pub shape: Shape,
+}
+
+impl Side {
+    /// The side as the boundary of a surface: straight sides and splines as they are, polylines of more points as samples of a
+    /// smooth curve that passes each within `tolerance` (a length).
+    ///
+    /// # Errors
+    /// [`CurveError`], for a tolerance that is not positive.
+    pub fn curve(&self, tolerance: f64) -> Result<BoundaryCurve, CurveError> {
+        match &self.shape {
+            Shape::Polyline(points) if points.len() == 2 => BoundaryCurve::polyline(points.clone()),
+            Shape::Polyline(points) => BoundaryCurve::through(points.clone(), tolerance),
+            Shape::Spline(spline) => Ok(spline.clone().into()),
+            Shape::Arc(arc) => Ok(arc.clone().into()),
+        }
+    }
+
+    /// Its control points, if it is one polynomial Bézier curve: a straight line or a spline without inner knots and weights.
+    pub fn control_points(&self) -> Option<&[Point]> {
+        match &self.shape {
+            Shape::Polyline(points) => (points.len() == 2).then_some(points),
+            Shape::Spline(spline) => {
+                let is_bezier = spline.weights().is_none() && spline.points().len() == spline.degree() + 1;
+                // Only where its knots end it in its first and last point.
+                (is_bezier && spline.knots()[0] == spline.knots()[spline.degree()]).then(|| spline.points())
+            }
+            Shape::Arc(_) => None,
+        }
+    }
 }
 
 /// A side on the way round a loop or a face.
@@ -169,8 +199,11 @@ impl Assembly {
             ));
         }
         let corners = corner::find(&network, file, angle.to_radians(), &mut notes);
-        let (vertices, sides) = side::sides(&network, file, &corners, size);
-        let form = loops::form(&vertices, &sides)?;
+        let (mut vertices, mut sides) = side::sides(&network, file, &corners, size);
+        let mut form = loops::form(&vertices, &sides)?;
+        if let Form::Faces(faces) = &mut form {
+            split::split(&mut vertices, &mut sides, faces);
+        }
         Ok(Self { vertices, sides, form, weld, size, notes })
     }
 }

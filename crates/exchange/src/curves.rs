@@ -14,6 +14,7 @@ mod trim;
 pub use error::CurveFileError;
 pub use kind::Kind;
 pub use shape::Shape;
+pub(crate) use trim::halved;
 
 /// A curve as a file has it.
 #[derive(Debug, Clone, PartialEq)]

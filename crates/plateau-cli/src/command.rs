@@ -48,15 +48,8 @@ pub(crate) enum Command {
     },
     /// Write the surfaces of a result.json as files for other programs
     Export(ExportArguments),
-    /// Print an experiment over a boundary from a file
-    Import {
-        /// A table with the columns side, x, y, z, or an OBJ file with lines
-        #[arg(value_name = "FILE")]
-        file: PathBuf,
-        /// The points are samples: fit curves of this degree to them. Without it they are control points
-        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
-        degree: Option<u16>,
-    },
+    /// Print an experiment over a boundary from a file of curves
+    Import(ImportArguments),
     /// Print a commented experiment file to begin with
     New {
         /// The kind of experiment
@@ -104,6 +97,30 @@ pub(crate) struct RunArguments {
     /// Instructions of the search: portable ones give the same bits on every processor
     #[arg(long, value_name = "SET", default_value = "auto")]
     pub(crate) arithmetic: Arithmetic,
+}
+
+/// What `import` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ImportArguments {
+    /// A table of points (CSV), OBJ lines or curves, STEP, ASCII DXF; - for stdin
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// The points of sides are samples: fit curves of this degree to them. Without it the few points of three or four sides are
+    /// control points
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
+    pub(crate) degree: Option<u16>,
+    /// The points of sides are control points, however many
+    #[arg(long, conflicts_with = "degree")]
+    pub(crate) control_points: bool,
+    /// Turn in degrees above which a polyline has a corner
+    #[arg(long, value_name = "DEG", default_value_t = 30.0)]
+    pub(crate) corner_angle: f64,
+    /// How far curves may pass from samples (a length); by default 1e-4 of the size
+    #[arg(long, value_name = "T")]
+    pub(crate) tolerance: Option<f64>,
+    /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
+    #[arg(long, value_name = "T")]
+    pub(crate) weld: Option<f64>,
 }
 
 /// What `verify` takes.

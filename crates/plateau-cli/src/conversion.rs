@@ -1,11 +1,15 @@
 //! `export` and `import`: surfaces of a result as files for other programs, boundaries from theirs.
 
-use std::io::Write;
+use std::fs::File;
+use std::io::{self, Read, Write};
 use std::path::Path;
 
-use plateau_cli::{Destination, ExportError, StoredMethod, StoredResult};
+use exchange::AssemblyOptions;
+use plateau_cli::{
+    Destination, ExportError, ImportError, ImportOptions, MAX_IMPORT_SIZE, StoredMethod, StoredResult,
+};
 
-use crate::command::{ExportArguments, Failure, line, say};
+use crate::command::{ExportArguments, Failure, ImportArguments, line, say};
 
 /// Writes the files; one that is refused keeps none of the others back.
 pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Result<(), Failure> {
@@ -62,14 +66,33 @@ fn named(path: &Path, result: &Path) -> Result<Destination, Failure> {
 }
 
 /// Prints an experiment over the boundary in a file.
-pub(crate) fn import(file: &Path, degree: Option<u16>, stdout: &mut impl Write) -> Result<(), Failure> {
-    match plateau_cli::import(file, degree.map(usize::from)) {
+pub(crate) fn import(arguments: &ImportArguments, stdout: &mut impl Write) -> Result<(), Failure> {
+    let file = &arguments.file;
+    let options = ImportOptions {
+        degree: arguments.degree.map(usize::from),
+        control_points: arguments.control_points,
+        tolerance: arguments.tolerance,
+        assembly: AssemblyOptions { weld: arguments.weld, corner_angle: arguments.corner_angle },
+    };
+    let text = contents(file)
+        .map_err(ImportError::from)
+        .and_then(|bytes| plateau_cli::import(&bytes, &file.to_string_lossy(), &options));
+    match text {
         Ok(experiment) => Ok(stdout.write_all(experiment.as_bytes())?),
         Err(error) => {
             say(&format!("error: {}: {error}", file.display()));
             Err(Failure::Input)
         }
     }
+}
+
+/// The bytes of a file, or of stdin for `-`; no more than are read and one.
+fn contents(file: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let from: &mut dyn Read =
+        if file == Path::new("-") { &mut io::stdin().lock() } else { &mut File::open(file)? };
+    from.take(MAX_IMPORT_SIZE + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn chosen<'a>(stored: &'a StoredResult, name: Option<&str>) -> Result<Vec<&'a StoredMethod>, String> {

@@ -1,34 +1,28 @@
-//! Boundaries from files: points of the sides in, a ready experiment out.
+//! Boundaries from files: curves in, a ready experiment out.
 
-use std::fmt::Write;
-use std::fs::File;
-use std::io::{self, Read};
-use std::path::Path;
+use std::io;
 
+use exchange::{Assembly, AssemblyError, AssemblyOptions, CurveFile, CurveFileError, Shape, read_curves};
 use surfaces::Point;
 use thiserror::Error;
 
 use crate::Plan;
-use plateau::{MAX_COORDINATE, MAX_DEGREE};
+use plateau::MAX_DEGREE;
 
 mod fit;
-mod read;
+mod printed;
+mod sides;
 
-use fit::Fit;
-use read::Side;
-
-/// Share of the size below which the ends of two sides are one corner.
-const SAME: f64 = 1e-6;
+use sides::Sides;
 
 /// Largest size in bytes of a file that is imported.
-const MAX_SIZE: u64 = 16 * 1024 * 1024;
+pub const MAX_IMPORT_SIZE: u64 = 16 * 1024 * 1024;
 
 /// Most samples of a side that is fitted.
 const MOST_SAMPLES: usize = 5000;
 
-/// Names of the sides, in the order in which they run around the boundary; whether the experiment has them in that sense.
-const TENSOR: [(&str, bool); 4] = [("u0", true), ("v1", true), ("u1", false), ("v0", false)];
-const TRIANGLE: [(&str, bool); 3] = [("ab", true), ("bc", true), ("ca", true)];
+/// Most points of a side that are taken as control points without a word.
+const MANY: usize = 13;
 
 /// Why no boundary could be made of a file.
 #[derive(Debug, Error)]
@@ -37,42 +31,30 @@ pub enum ImportError {
     /// The file system.
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
-    /// Bytes that are no text.
-    #[error("is no text in UTF-8: save it as one")]
-    NotText,
-    /// Too large.
-    #[error("is larger than {} MiB", MAX_SIZE >> 20)]
-    TooLarge,
-    /// A line that is not understood.
-    #[error("line {line}: {why}")]
-    Line {
-        /// Its number, from 1.
-        line: usize,
-        /// What is wrong with it.
-        why: String,
-    },
-    /// The lines are no boundary.
+    /// The file is not understood.
     #[error("{0}")]
-    Sides(String),
-    /// The ends of two sides are apart.
+    File(#[from] CurveFileError),
+    /// Its curves make no boundary.
+    #[error("{0}")]
+    Assembly(#[from] AssemblyError),
+    /// A number of the options.
+    #[error("{0}")]
+    Option(String),
+    /// A side has many points, and nothing says what they are.
     #[error(
-        "{first} and {second} should meet in a corner, but lie {gap:.3e} apart: their ends must agree to within \
-         {SAME:e} of the size, {size:.3e}{}",
-        if *named { "; sides of these names run as in an experiment, under other names they are chained by their ends, in any order \
-         and sense" } else { "" }
+        "{side} has {count} points, and what they are has to be said: points on the curve, then `--degree 6` fits curves of degree 6 to \
+         the points of every side; or control points of a curve of degree {}, then `--control-points`",
+        count - 1
     )]
-    Corner {
-        /// One side.
-        first: String,
-        /// The other.
-        second: String,
-        /// Their distance.
-        gap: f64,
-        /// Diagonal of the box around the boundary.
-        size: f64,
-        /// Whether they have the names of sides of experiments, which say how they run.
-        named: bool,
+    Ask {
+        /// The side.
+        side: String,
+        /// How many points.
+        count: usize,
     },
+    /// The ends of two sides are apart.
+    #[error("{0}")]
+    Corner(Box<CornerGap>),
     /// A side cannot be fitted.
     #[error("{side}: {why}")]
     Fit {
@@ -86,59 +68,112 @@ pub enum ImportError {
     Plan(String),
 }
 
-/// A side in the sense in which it runs around the boundary.
-struct Curve {
-    name: &'static str,
-    /// What the file calls it.
-    label: String,
-    points: Vec<Point>,
-    forward: bool,
-    fit: Option<Fit>,
+/// Two sides that should meet and do not.
+#[derive(Debug, Error)]
+#[error(
+    "{first} and {second} should meet in a corner, but {first} ends at {end:?} and {second} begins at {begin:?}, {gap:.3e} apart: \
+     ends within {tolerance:.1e} are welded, `--weld {wide}` joins these{}",
+    if *named { "; sides of these names run as in an experiment, under other names they are chained by their ends, in any order \
+     and sense" } else { "" }
+)]
+#[non_exhaustive]
+pub struct CornerGap {
+    /// One side.
+    pub first: String,
+    /// The other.
+    pub second: String,
+    /// The end of the first.
+    pub end: [f64; 3],
+    /// The beginning of the second.
+    pub begin: [f64; 3],
+    /// Their distance.
+    pub gap: f64,
+    /// The largest that is welded.
+    pub tolerance: f64,
+    /// One that welds them.
+    pub wide: String,
+    /// Whether they have the names of sides of experiments, which say how they run.
+    pub named: bool,
 }
 
-/// Reads the sides of a boundary, from a table (`side,x,y,z`) or an OBJ file with lines, and prints an experiment with them.
-/// Without a degree the points are control points; with one they are samples, and each side is the Bernstein curve of
-/// that degree nearest to them in the sense of least squares, its ends on theirs. How near is said in comments.
+/// What a file of curves leaves open.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ImportOptions {
+    /// The points of polylines are samples: each side is the curve of this degree nearest to them.
+    pub degree: Option<usize>,
+    /// The points of polylines are control points, however many.
+    pub control_points: bool,
+    /// How far the curve of a side of many samples may pass from them; by default [`Self::TOLERANCE`] of the size.
+    pub tolerance: Option<f64>,
+    /// Welding and corners.
+    pub assembly: AssemblyOptions,
+}
+
+impl ImportOptions {
+    /// Share of the size (the diagonal of the box around all curves) by which curves may pass from samples.
+    pub const TOLERANCE: f64 = 1e-4;
+
+    fn check(&self) -> Result<(), ImportError> {
+        if self.degree.is_some() && self.control_points {
+            let why = "--degree says that the points are on the curves, --control-points that they are not: give one of them";
+            return Err(ImportError::Option(why.into()));
+        }
+        if let Some(degree) = self.degree.filter(|degree| !(1..=MAX_DEGREE).contains(degree)) {
+            return Err(ImportError::Option(format!(
+                "degree {degree} is not offered; 1 to {MAX_DEGREE} are"
+            )));
+        }
+        match self.tolerance.filter(|tolerance| !(*tolerance > 0.0 && tolerance.is_finite())) {
+            Some(tolerance) => {
+                Err(ImportError::Option(format!("--tolerance {tolerance}: it is a length above 0")))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// Reads the boundary in a file (`bytes`; `name` is that of the file or `-`) and prints an experiment over it.
+///
+/// Three or four curves of points that form a loop become the sides of a triangular or a tensor boundary. Without a degree their points
+/// are control points; with one they are samples, and each side is the Bernstein curve of that degree nearest to them in the sense of
+/// least squares, its ends on theirs; how near is said in comments. Straight sides are straight whatever the degree. So do loops of
+/// three or four straight lines and Bézier curves, which stay as they are. All else becomes a boundary of loops or faces
+/// over curves, sampled ones to be met within the tolerance.
 ///
 /// # Errors
 /// [`ImportError`]; the file itself is not named in it.
-pub fn import(path: &Path, degree: Option<usize>) -> Result<String, ImportError> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(MAX_SIZE + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > MAX_SIZE {
-        return Err(ImportError::TooLarge);
+pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<String, ImportError> {
+    options.check()?;
+    let file = read_curves(bytes, name)?;
+    let title = title(name);
+    let notes: Vec<&str> = file.notes.iter().map(String::as_str).collect();
+    let apart = match Sides::of_file(&file, options) {
+        Ok(Some(sides)) => return checked(sides.printed(&title, &notes)),
+        Ok(None) => None,
+        // Under names of their own they may be two loops, or branch.
+        Err(ImportError::Corner(apart)) if !apart.named => Some(ImportError::Corner(apart)),
+        Err(error) => return Err(error),
+    };
+    let assembly = Assembly::new(&file, &options.assembly).map_err(|error| match (error, apart) {
+        (AssemblyError::Gap(why), _) => ImportError::Assembly(AssemblyError::Gap(why)),
+        (_, Some(apart)) => apart,
+        (error, None) => error.into(),
+    })?;
+    let notes: Vec<&str> = notes.into_iter().chain(assembly.notes.iter().map(String::as_str)).collect();
+    match Sides::of_assembly(&assembly, options)? {
+        Some(sides) => checked(sides.printed(&title, &notes)),
+        None => printed::assembly(&title, &assembly, options, &notes),
     }
-    let text = String::from_utf8(bytes).map_err(|_| ImportError::NotText)?;
-    let is_obj = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
-    let sides = if is_obj { read::obj(&text)? } else { read::table(&text)? };
-    let stem = path.file_stem().map_or_else(|| "boundary".into(), |stem| stem.to_string_lossy().into_owned());
-    experiment(&stem, sides, degree)
 }
 
-fn experiment(title: &str, sides: Vec<Side>, degree: Option<usize>) -> Result<String, ImportError> {
-    let mut curves = around(sides)?;
-    let size = crate::export::diagonal(curves.iter().flat_map(|curve| &curve.points).map(|&p| p.into()));
-    for k in 0..curves.len() {
-        let next = (k + 1) % curves.len();
-        let (end, start) = (last(&curves[k].points), curves[next].points[0]);
-        let gap = end.distance(start);
-        if gap > SAME * size {
-            let named = curves.iter().all(|curve| curve.label == curve.name);
-            let [first, second] = [k, next].map(|k| curves[k].label.clone());
-            return Err(ImportError::Corner { first, second, gap, size, named });
-        }
-        // Corners are repeated in an experiment and must agree digit for digit.
-        curves[next].points[0] = end;
-    }
-    if let Some(degree) = degree {
-        for curve in &mut curves {
-            let fit = Fit::new(&curve.points, degree)
-                .map_err(|why| ImportError::Fit { side: curve.label.clone(), why })?;
-            curve.points.clone_from(&fit.points);
-            curve.fit = Some(fit);
-        }
-    }
-    let text = printed(title, &mut curves, size);
+/// What a file is called without its folder and ending.
+fn title(name: &str) -> String {
+    let stem = std::path::Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    stem.filter(|stem| stem != "-").unwrap_or_else(|| "boundary".into())
+}
+
+/// The text of an experiment, if it is sound.
+fn checked(text: String) -> Result<String, ImportError> {
     match Plan::parse("imported.toml", &text) {
         Ok(_) => Ok(text),
         Err(refusal) => Err(ImportError::Plan(
@@ -147,104 +182,13 @@ fn experiment(title: &str, sides: Vec<Side>, degree: Option<usize>) -> Result<St
     }
 }
 
-fn printed(title: &str, curves: &mut [Curve], size: f64) -> String {
-    let mut text = format!("title = {}\n\n[boundary]\n", quoted(title));
-    for curve in curves.iter_mut() {
-        if !curve.forward {
-            curve.points.reverse();
-        }
-    }
-    curves.sort_by_key(|curve| curve.name);
-    for curve in curves.iter() {
-        if let Some(fit) = &curve.fit {
-            let _ = writeln!(
-                text,
-                "# {}: fit of degree {} to {} samples; farthest {:.2e} ({:.1e} of the size), root mean square {:.2e}",
-                curve.name,
-                curve.points.len() - 1,
-                fit.samples,
-                fit.largest,
-                fit.largest / size,
-                fit.root_mean_square,
-            );
-        }
-        let points: Vec<String> =
-            curve.points.iter().map(|p| format!("[{:?}, {:?}, {:?}]", p.x, p.y, p.z)).collect();
-        let _ = writeln!(text, "{} = [{}]", curve.name, points.join(", "));
-    }
-    text += "\n[[method]]\nname = \"Dirichlet\"\nenergy = \"dirichlet\"\n\n\
-             [[method]]\nname = \"least area\"\nenergy = \"area\"\n";
-    text
-}
-
-/// The sides in the order and the sense in which they run around the boundary.
-fn around(sides: Vec<Side>) -> Result<Vec<Curve>, ImportError> {
-    if let Some(side) = sides.iter().find(|side| side.points.len() < 2) {
-        return Err(ImportError::Sides(format!(
-            "side {:?} has a single point; two are the least",
-            side.name
-        )));
-    }
-    let names: &[(&str, bool)] = match sides.len() {
-        3 => &TRIANGLE,
-        4 => &TENSOR,
-        count => {
-            let sides = if count == 1 { "is 1 side".into() } else { format!("are {count} sides") };
-            return Err(ImportError::Sides(format!(
-                "there {sides}: four make a tensor boundary, three a triangular one; every side has a name of its own in a table, \
-                 lines of its own in an OBJ file"
-            )));
-        }
-    };
-    let curve = |(name, forward): (&'static str, bool), mut side: Side, turned: bool| {
-        if turned {
-            side.points.reverse();
-        }
-        // Lines of an OBJ file need no name.
-        let label = if side.name.is_empty() { name.to_owned() } else { side.name };
-        Curve { name, label, points: side.points, forward, fit: None }
-    };
-    let named: Option<Vec<Curve>> = names
+/// The polylines of a file, if it has nothing else.
+fn polylines(file: &CurveFile) -> Option<Vec<(&str, &[Point])>> {
+    file.curves
         .iter()
-        .map(|&(name, forward)| {
-            let side = sides.iter().find(|side| side.name == name)?;
-            Some(curve((name, forward), side.clone(), !forward))
+        .map(|curve| match &curve.shape {
+            Shape::Polyline(points) if !curve.closes => Some((curve.name.as_str(), points.as_slice())),
+            Shape::Polyline(_) | Shape::Spline(_) | Shape::Arc(_) => None,
         })
-        .collect();
-    if let Some(named) = named {
-        return Ok(named);
-    }
-    // Without the names of experiments the sides are chained, each the one that begins or ends nearest to where the chain ends.
-    let mut rest = sides;
-    let mut chain = vec![curve(names[0], rest.remove(0), false)];
-    while let Some(end) = chain.last().map(|curve| last(&curve.points)) {
-        let nearest = (0..rest.len())
-            .flat_map(|k| [(k, false), (k, true)])
-            .map(|(k, turned)| {
-                let points = &rest[k].points;
-                (end.distance(if turned { last(points) } else { points[0] }), k, turned)
-            })
-            .min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((_, k, turned)) = nearest else { break };
-        chain.push(curve(names[chain.len()], rest.remove(k), turned));
-    }
-    Ok(chain)
-}
-
-fn last(points: &[Point]) -> Point {
-    points.last().copied().unwrap_or_default()
-}
-
-/// A basic string of TOML.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => quoted.extend(['\\', c]),
-            c if c.is_control() => quoted.push(' '),
-            c => quoted.push(c),
-        }
-    }
-    quoted.push('"');
-    quoted
+        .collect()
 }

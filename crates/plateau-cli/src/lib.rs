@@ -68,7 +68,7 @@ pub use earlier::{Earlier, earlier};
 pub use export::{DEFAULT_TOLERANCE, ExportError, SurfaceForm};
 pub use folder::{folder, folder_key};
 pub use format::Format;
-pub use import::{ImportError, import};
+pub use import::{CornerGap, ImportError, ImportOptions, MAX_IMPORT_SIZE, import};
 pub use limits::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS};
 pub use manifest::{Manifest, Origin};
 pub use plan::{Expected, Experiment, Output, PatchExperiment, Plan, Published, Wanted};

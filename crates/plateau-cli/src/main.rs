@@ -39,7 +39,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Check { files } => command::check(&files, stdout),
         Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
         Command::Verify(arguments) => verify::results(&arguments, stdout),
-        Command::Import { file, degree } => conversion::import(&file, degree, stdout),
+        Command::Import(arguments) => conversion::import(&arguments, stdout),
         Command::Export(arguments) => conversion::export(&arguments, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
         Command::Completions { shell } => command::completions(shell, stdout),

@@ -44,7 +44,7 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
     let named: Vec<String> = pairs
         .iter()
         .take(NAMED)
-        .map(|&(gap, a, b)| format!("{}, {}, a gap of {gap:.4}", whose(a), whose(b)))
+        .map(|&(gap, a, b)| format!("{}, {}, a gap of {}", whose(a), whose(b), length(gap)))
         .collect();
     text += &named.join("; ");
     if pairs.len() > NAMED {
@@ -58,6 +58,11 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
         if pairs.len() == 1 { "them" } else { "them all" },
     );
     Err(AssemblyError::Gap(text))
+}
+
+/// A distance in four digits.
+fn length(gap: f64) -> String {
+    if (1e-2..1e6).contains(&gap) { format!("{gap:.4}") } else { format!("{gap:.3e}") }
 }
 
 /// A point in few digits.

@@ -118,7 +118,7 @@ fn ended(shape: Shape, ends: [Point; 2]) -> Shape {
         Shape::Arc(arc)
             if !arc.is_closed() && moved > 1e-12 * (ends[0].norm() + arc.radii()[0].max(arc.radii()[1])) =>
         {
-            let spline = Shape::arc_as_spline(&arc);
+            let spline = Shape::Arc(arc.clone()).as_spline();
             spline.and_then(|spline| spline_ended(&spline, ends)).map_or(Shape::Arc(arc), Shape::Spline)
         }
         Shape::Polyline(_) | Shape::Spline(_) | Shape::Arc(_) => shape,

@@ -38,6 +38,15 @@ impl Shape {
         }
     }
 
+    /// A spline as it is, an arc as a rational quadratic one, exact; none for polylines.
+    pub fn as_spline(&self) -> Option<SplineCurve> {
+        match self {
+            Self::Polyline(_) => None,
+            Self::Spline(spline) => Some(spline.clone()),
+            Self::Arc(arc) => arc_as_spline(arc),
+        }
+    }
+
     /// Points on it, its ends among them, close enough for lengths to a few per cent: those of a polyline, 8 a span of a spline
     /// (at most some hundreds), 33 of an arc.
     pub fn sampled(&self) -> Vec<Point> {
@@ -52,23 +61,21 @@ impl Shape {
     }
 }
 
-impl Shape {
-    /// An arc as a rational quadratic spline, exact: `w = cos(h/2)` at the middle points of pieces of angle h, at most a right angle
-    /// each. None for one too small for its place.
-    pub(crate) fn arc_as_spline(arc: &EllipseArc) -> Option<SplineCurve> {
-        let [from, to] = arc.angles();
-        let pieces = libm::ceil((to - from).abs() / std::f64::consts::FRAC_PI_2 - 1e-9).max(1.0);
-        let weight = libm::cos(0.5 * (to - from) / pieces);
-        let at = |k: f64| arc.jet((k / pieces).min(1.0)).point;
-        let (mut points, mut weights, mut knots) = (vec![at(0.0)], vec![1.0], vec![0.0; 3]);
-        for k in 0..pieces as usize {
-            let k = k as f64;
-            points.push(arc.center() + (at(k + 0.5) - arc.center()) * (1.0 / weight));
-            points.push(if k + 1.0 == pieces && arc.is_closed() { points[0] } else { at(k + 1.0) });
-            weights.extend([weight, 1.0]);
-            knots.extend([k + 1.0; 2]);
-        }
-        knots.push(pieces);
-        SplineCurve::new(2, knots, points, Some(weights)).ok()
+/// An arc as a rational quadratic spline, exact: `w = cos(h/2)` at the middle points of pieces of angle h, at most a right angle
+/// each. None for one too small for its place.
+pub(crate) fn arc_as_spline(arc: &EllipseArc) -> Option<SplineCurve> {
+    let [from, to] = arc.angles();
+    let pieces = libm::ceil((to - from).abs() / std::f64::consts::FRAC_PI_2 - 1e-9).max(1.0);
+    let weight = libm::cos(0.5 * (to - from) / pieces);
+    let at = |k: f64| arc.jet((k / pieces).min(1.0)).point;
+    let (mut points, mut weights, mut knots) = (vec![at(0.0)], vec![1.0], vec![0.0; 3]);
+    for k in 0..pieces as usize {
+        let k = k as f64;
+        points.push(arc.center() + (at(k + 0.5) - arc.center()) * (1.0 / weight));
+        points.push(if k + 1.0 == pieces && arc.is_closed() { points[0] } else { at(k + 1.0) });
+        weights.extend([weight, 1.0]);
+        knots.extend([k + 1.0; 2]);
     }
+    knots.push(pieces);
+    SplineCurve::new(2, knots, points, Some(weights)).ok()
 }

@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use surfaces::{EllipseArc, Point, SplineCurve};
 
+use super::Shape;
+
 /// A point with its weight, `(w x, w y, w z, w)`.
 type Homogeneous = [f64; 4];
 
@@ -97,6 +99,27 @@ pub(super) fn forward(arc: &EllipseArc, from: f64, to: f64) -> Result<EllipseArc
         span += TAU;
     }
     arc.between(from, from + span).map_err(|error| error.to_string())
+}
+
+/// The two halves of a curve, by its own parameter; of a polyline by its points, none where it has two.
+pub(crate) fn halved(shape: &Shape) -> Option<[Shape; 2]> {
+    match shape {
+        Shape::Polyline(points) if points.len() < 3 => None,
+        Shape::Polyline(points) => {
+            let middle = points.len() / 2;
+            Some([points[..=middle].to_vec(), points[middle..].to_vec()].map(Shape::Polyline))
+        }
+        Shape::Spline(spline) => {
+            let [a, b] = domain(spline);
+            let middle = 0.5 * (a + b);
+            Some([Shape::Spline(cut(spline, a, middle).ok()?), Shape::Spline(cut(spline, middle, b).ok()?)])
+        }
+        Shape::Arc(arc) => {
+            let [a, b] = arc.angles();
+            let middle = 0.5 * (a + b);
+            Some([Shape::Arc(arc.between(a, middle).ok()?), Shape::Arc(arc.between(middle, b).ok()?)])
+        }
+    }
 }
 
 fn homogeneous(spline: &SplineCurve, i: usize) -> Homogeneous {
