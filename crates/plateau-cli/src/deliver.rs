@@ -121,6 +121,8 @@ pub fn deliver_watched(
                 }
             }
         }
+        let mut listed: Vec<String> =
+            std::iter::once(RESULT_FILE).chain(record.files()).map(str::to_owned).collect();
         let mut keep = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
             if progress.cancelled() {
                 record.add_unwritten(name);
@@ -132,6 +134,7 @@ pub fn deliver_watched(
         };
         if let Some(curve) = &finished.results.curve {
             keep(CURVE_FILE, &|out| export::csv::write(curve, out))?;
+            listed.push(CURVE_FILE.to_owned());
         }
         if plan.output.formats.contains(&Format::Glb)
             && let Some((helicoid, catenoid, weights)) = deformation(finished)
@@ -139,6 +142,7 @@ pub fn deliver_watched(
             keep(DEFORMATION_FILE, &|out| {
                 export::deformation::write(&finished.results.title, helicoid, catenoid, &weights, out)
             })?;
+            listed.push(DEFORMATION_FILE.to_owned());
         }
         if plan.output.pictures && !progress.cancelled() {
             let scene = Scene::of(&finished.results);
@@ -146,7 +150,7 @@ pub fn deliver_watched(
             for picture in &pictures {
                 keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
             }
-            let about = about(plan, finished, &manifest);
+            let about = about(plan, finished, &manifest, listed);
             let report = page(&finished.results, &about, scene.as_ref(), &pictures);
             keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))?;
         } else if plan.output.pictures {
@@ -172,7 +176,12 @@ pub fn deliver_watched(
 }
 
 /// What the page says beside the results.
-fn about<'a>(plan: &'a Plan, finished: &'a Finished, manifest: &'a Manifest) -> About<'a> {
+fn about<'a>(
+    plan: &'a Plan,
+    finished: &'a Finished,
+    manifest: &'a Manifest,
+    files: Vec<String>,
+) -> About<'a> {
     let expected = finished.comparisons().map(|(name, expected, ours)| {
         let met = ours.is_some_and(|ours| expected.is_met_by(ours));
         let verdict = if met { Verdict::Met } else { Verdict::Missed };
@@ -191,6 +200,7 @@ fn about<'a>(plan: &'a Plan, finished: &'a Finished, manifest: &'a Manifest) -> 
         text: &plan.text,
         seed: finished.seed,
         comparisons: expected.chain(printed).collect(),
+        files,
         origin: manifest.entries(),
     }
 }

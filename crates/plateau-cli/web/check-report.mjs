@@ -1,4 +1,4 @@
-// Opens reports in a headless Chromium and looks at them:
+// Opens reports in a headless Chromium and looks at them (`.ci/page` does it for a few fixtures):
 //
 //   npm install && node check-report.mjs [--pictures DIR] report.html…
 //
@@ -30,6 +30,31 @@ let failed = 0;
 const settle = (page) => page.evaluate(() => new Promise((done) =>
   requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))));
 
+// Texts whose contrast to their ground is less than WCAG AA asks for; runs in the page.
+function contrasts() {
+  const parts = (colour) => (colour.match(/[\d.]+/g) ?? []).map(Number);
+  const light = ([r, g, b]) => {
+    const [x, y, z] = [r, g, b].map((c) => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * x + 0.7152 * y + 0.0722 * z;
+  };
+  const ground = (element) => {
+    for (let e = element; e; e = e.parentElement) {
+      const [r, g, b, a = 1] = parts(getComputedStyle(e).backgroundColor);
+      if (a > 0.99) return [r, g, b];
+    }
+    return [255, 255, 255];
+  };
+  const faults = new Set();
+  for (const element of document.querySelectorAll("body *:not(svg *):not(script):not(option)")) {
+    const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
+    if (!own || !element.checkVisibility()) continue;
+    const style = getComputedStyle(element), [a, b] = [light(parts(style.color)), light(ground(element))];
+    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (ratio < 4.5) faults.add(`contrast ${ratio.toFixed(2)} of ${element.tagName} "${element.textContent.trim().slice(0, 30)}"`);
+  }
+  return [...faults].slice(0, 5);
+}
+
 for (const file of words) {
   const faults = [];
   const must = (holds, fault) => holds || faults.push(fault);
@@ -57,18 +82,32 @@ for (const file of words) {
       await act();
       must((await seen()) !== before, `${what} does not change the picture`);
     };
-    const chips = page.locator("#methods .chip");
+    // Chips where there is room, a list where there are many.
+    const pick = async (group, k) => {
+      const list = page.locator(`#${group} select`);
+      if (await list.isVisible()) await list.selectOption({ index: k });
+      else await page.locator(`#${group} .chip`).nth(k).click();
+    };
     const slider = page.locator("#frame");
     // Methods may find the same surface: take one that differs from the first by more than a pixel, if there is one.
     const other = await page.evaluate(() => {
       const read = (s) => new Float32Array(Uint8Array.from(atob(s.points), (c) => c.charCodeAt(0)).buffer);
       const all = JSON.parse(document.getElementById("surfaces").textContent).surfaces.map(read);
-      return all.findIndex((points) => points.some((x, k) => Math.abs(x - all[0][k]) > 0.01));
+      const { best } = JSON.parse(document.getElementById("surfaces").textContent);
+      return all.findIndex((points) =>
+        points.length !== all[best].length || points.some((x, k) => Math.abs(x - all[best][k]) > 0.01));
     });
-    if (other > 0) await changes("another surface", () =>
-      slider.count().then((found) => (found ? slider.fill(String(other)) : chips.nth(other).click())));
+    if (other >= 0) await changes("another surface", () =>
+      slider.count().then((found) => (found ? slider.fill(String(other)) : pick("methods", other))));
     if ((await page.locator("#fields .chip").count()) > 1)
-      await changes("another colour", () => page.locator("#fields .chip").nth(1).click());
+      await changes("another colour", () => pick("fields", 1));
+    if (await page.locator("#compare").isVisible()) {
+      const count = await page.locator("#fields .chip").count();
+      await changes("a surface beside it", () => page.locator("#compare").selectOption({ index: 1 }));
+      await changes("the distance as colour", () => pick("fields", count - 1));
+      must(/length/.test(await page.locator("#quantity").textContent()), "the distance has no unit");
+      await changes("no surface beside it", () => page.locator("#compare").selectOption("-1"));
+    }
     await changes("an arrow key", () => canvas.press("ArrowLeft"));
     await changes("a drag", async () => {
       const box = await canvas.boundingBox();
@@ -81,19 +120,27 @@ for (const file of words) {
       .every((s) => s.net.points))) await changes("the control net", () => page.locator("#net").click());
     await changes("wireframe", () => page.locator("#wires").click());
   }
-  if (keep) {
+  {
     const name = basename(dirname(resolve(file)));
     const shot = async (suffix, options, whole) => {
       const view = await browser.newPage({ deviceScaleFactor: 1, ...options });
       await view.goto(url, { waitUntil: "load" });
       await settle(view);
-      await view.screenshot({ path: join(keep, `${name}-${suffix}.png`), fullPage: whole });
+      if (keep) await view.screenshot({ path: join(keep, `${name}-${suffix}.png`), fullPage: whole });
+      for (const fault of await view.evaluate(contrasts)) must(false, `${suffix}: ${fault}`);
+      // On a phone the area is seen without a swipe.
+      const area = await view.evaluate(() => {
+        const cell = document.querySelector('th[data-figure="area"]');
+        return cell ? cell.getBoundingClientRect().right : 0;
+      });
+      must(area <= options.viewport.width, `${suffix}: the area lies ${area} pixels to the right`);
       const wide = await view.evaluate(() => document.documentElement.scrollWidth > innerWidth + 1);
       must(!wide, `${suffix}: the page is wider than the window`);
       await view.close();
     };
-    await shot("desktop", { viewport: { width: 1280, height: 900 }, colorScheme: "light" }, true);
+    await shot("desktop", { viewport: { width: 1400, height: 900 }, colorScheme: "light" }, true);
     await shot("dark", { viewport: { width: 1280, height: 900 }, colorScheme: "dark" }, true);
+    await shot("small", { viewport: { width: 800, height: 600 }, colorScheme: "light" }, true);
     await shot("phone", { viewport: { width: 390, height: 844 }, colorScheme: "light", deviceScaleFactor: 2 }, false);
     await shot("phone-whole", { viewport: { width: 390, height: 844 }, colorScheme: "light" }, true);
   }

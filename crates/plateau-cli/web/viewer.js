@@ -62,6 +62,21 @@
     return { faces: new Uint16Array(faces), wires, rim };
   }
 
+  // Lines of a net as segments between points of their own, cut off beyond a ball about the middle of the scene.
+  const REACH = 3;
+  function clipped(points, pairs) {
+    const out = [];
+    for (let s = 0; s < pairs.length; s += 2) {
+      const [p, q] = [pairs[s], pairs[s + 1]].map((k) => [points[3 * k], points[3 * k + 1], points[3 * k + 2]]);
+      const d = p.map((x, k) => q[k] - x), dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      const [a, b, c] = [dot(d, d), dot(p, d), dot(p, p) - REACH * REACH], root = b * b - a * c;
+      if (!(root > 0) || !a) continue;
+      const from = Math.max(0, (-b - Math.sqrt(root)) / a), to = Math.min(1, (-b + Math.sqrt(root)) / a);
+      if (from < to) for (const t of [from, to]) out.push(...p.map((x, k) => x + t * d[k]));
+    }
+    return { points: out, pairs: Array.from({ length: out.length / 3 }, (_, k) => k) };
+  }
+
   function normals(points, faces) {
     const sum = new Float32Array(points.length);
     for (let f = 0; f < faces.length; f += 3) {
@@ -165,11 +180,15 @@
 
   const surfaces = data.surfaces.map((surface) => {
     const points = floats(surface.points), { faces, wires, rim } = grid(surface);
-    const net = floats(surface.net.points), edges = new Uint16Array(bytes(surface.net.edges).buffer);
+    const all = floats(surface.net.points), edges = new Uint16Array(bytes(surface.net.edges).buffer);
+    const near = [...surface.net.boundary.keys()].filter((k) =>
+      Math.hypot(all[3 * k], all[3 * k + 1], all[3 * k + 2]) <= REACH);
+    const net = Float32Array.from(near.flatMap((k) => [all[3 * k], all[3 * k + 1], all[3 * k + 2]]));
+    const lines = clipped(all, edges);
     return {
       ...surface,
       points,
-      netXyz: net,
+      faces,
       vertices: buffer(points),
       normals: buffer(normals(points, faces)),
       index: buffer(faces, gl.ELEMENT_ARRAY_BUFFER),
@@ -178,9 +197,9 @@
         buffer(floats(text).map((x) => (Number.isNaN(x) ? NONE : Math.max(-1e5, Math.min(1e5, x)))))),
       wires: ribbons(points, wires),
       rim: ribbons(points, rim),
-      edges: ribbons(net, edges),
+      edges: ribbons(lines.points, lines.pairs),
       netPoints: buffer(net),
-      netEdge: buffer(Float32Array.from(surface.net.boundary)),
+      netEdge: buffer(Float32Array.from(near, (k) => surface.net.boundary[k])),
       netCount: net.length / 3,
     };
   });
@@ -195,9 +214,12 @@
   });
 
   // ---- camera: turns about the z axis and about the horizon ------------------------------------------------------------
-  // Nets much larger than their surface would dwarf it: they are drawn only when asked for.
-  if (data.surfaces.some((surface) => surface.net.large)) $("net").checked = false;
-  const state = { surface: 0, field: data.fields.length ? 0 : -1, net: $("net").checked, wires: $("wires").checked };
+  // Nets that are large or of many points would hide their surface: they are drawn only when asked for.
+  $("net").checked = !data.surfaces.some((surface) => surface.net.large || surface.net.many);
+  const state = {
+    surface: data.best, other: -1, field: data.fields.length ? 0 : -1, net: $("net").checked, wires: $("wires").checked,
+  };
+  const DISTANCE = data.fields.length;
   const camera = {};
 
   function axes() {
@@ -205,14 +227,15 @@
     return { right: [-sa, ca, 0], up: [-se * ca, -se * sa, ce], back: [ce * ca, ce * sa, se] };
   }
 
-  // The first view: all surfaces, with their nets if shown, fill the canvas.
+  const views = () => (state.other < 0 ? 1 : 2);
+
+  // The first view: all surfaces fill the canvas, whatever their nets reach to.
   function home() {
     Object.assign(camera, data.home);
-    const { right, up, back } = axes(), aspect = canvas.clientWidth / canvas.clientHeight || 1;
+    const { right, up, back } = axes(), aspect = canvas.clientWidth / views() / canvas.clientHeight || 1;
     const dot = (a, p, k) => a[0] * p[k] + a[1] * p[k + 1] + a[2] * p[k + 2];
     let [low, high] = [[9, 9], [-9, -9]];
-    const shown = surfaces.flatMap((surface) => (state.net ? [surface.points, surface.netXyz] : [surface.points]));
-    const each = (act) => shown.forEach((p) => { for (let k = 0; k < p.length; k += 3) act(p, k); });
+    const each = (act) => surfaces.forEach(({ points: p }) => { for (let k = 0; k < p.length; k += 3) act(p, k); });
     each((p, k) => {
       const at = [dot(right, p, k), dot(up, p, k)];
       low = at.map((x, i) => Math.min(x, low[i]));
@@ -223,12 +246,12 @@
     camera.distance = 0.6;
     each((p, k) => {
       const reach = Math.max(Math.abs(dot(right, p, k) - middle[0]) / aspect, Math.abs(dot(up, p, k) - middle[1]));
-      camera.distance = Math.max(camera.distance, dot(back, p, k) + 1.14 * reach * FOCAL);
+      camera.distance = Math.max(camera.distance, dot(back, p, k) + 1.05 * reach * FOCAL);
     });
   }
 
   function matrices() {
-    const { right, up, back } = axes(), aspect = canvas.width / canvas.height, [px, py] = camera.pan;
+    const { right, up, back } = axes(), aspect = canvas.width / views() / canvas.height, [px, py] = camera.pan;
     const d = camera.distance, [near, far] = [Math.max(0.05 * d, d - 12), d + 12];
     const view = [
       right[0], up[0], back[0], 0, right[1], up[1], back[1], 0, right[2], up[2], back[2], 0, px, py, -d, 1];
@@ -254,7 +277,7 @@
     if (!ribbon.count) return;
     gl.useProgram(ink.id);
     gl.uniformMatrix4fv(ink.uniform.matrix, false, matrix);
-    gl.uniform2f(ink.uniform.size, canvas.width, canvas.height);
+    gl.uniform2f(ink.uniform.size, canvas.width / views(), canvas.height);
     gl.uniform1f(ink.uniform.width, width);
     gl.uniform4fv(ink.uniform.colour, colour);
     bind(ribbon.vertices, ink.attribute.from, 3, 32, 0);
@@ -280,16 +303,77 @@
     const [w, h] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
     if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
     if (!w || !h) return;
-    const dark = isDark(), surface = surfaces[state.surface], { matrix, turn } = matrices();
-    const pen = dark ? [0.88, 0.91, 0.95] : [0.11, 0.15, 0.2];
-    gl.viewport(0, 0, w, h);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthFunc(gl.LEQUAL);
+    const shown = [state.surface, state.other].slice(0, views());
+    shown.forEach((index, k) => {
+      gl.viewport(Math.round((k * w) / shown.length), 0, Math.round(w / shown.length), h);
+      paintOne(index, shown[1 - k], ratio);
+    });
+  }
 
+  // The values of the field chosen on a surface; those of the distance are found when first asked for.
+  const distances = new Map();
+  function values(index, other) {
+    if (state.field !== DISTANCE) return surfaces[index].fields[state.field];
+    const full = distanceScale(), here = distances.get(`${index} ${other}`);
+    return (here.buffer ??= buffer(here.found.map((x) => x / full)));
+  }
+  function distanceScale() {
+    const [a, b] = [state.surface, state.other];
+    const found = [[a, b], [b, a]].map((pair) => distances.get(pair.join(" ")) ?? measured(...pair));
+    return Math.max(found[0].largest, found[1].largest) || 1;
+  }
+  function measured(index, other) {
+    const found = distancesTo(surfaces[index].points, surfaces[other]);
+    const entry = { found, largest: found.reduce((a, b) => Math.max(a, b), 0) };
+    distances.set(`${index} ${other}`, entry);
+    return entry;
+  }
+
+  // How far each point lies from a mesh: the triangles at its nearest vertex are looked at.
+  function distancesTo(points, { points: mesh, faces }) {
+    const around = Array.from({ length: mesh.length / 3 }, () => []);
+    for (let f = 0; f < faces.length; f += 3) for (let k = 0; k < 3; k++) around[faces[f + k]].push(f);
+    return Float32Array.from({ length: points.length / 3 }, (_, p) => {
+      const at = [points[3 * p], points[3 * p + 1], points[3 * p + 2]];
+      let [best, nearest] = [Infinity, 0];
+      for (let v = 0; v < mesh.length; v += 3) {
+        const [x, y, z] = [mesh[v] - at[0], mesh[v + 1] - at[1], mesh[v + 2] - at[2]], d = x * x + y * y + z * z;
+        if (d < best) [best, nearest] = [d, v / 3];
+      }
+      const corner = (k) => [0, 1, 2].map((i) => mesh[3 * k + i] - at[i]);
+      for (const f of around[nearest])
+        best = Math.min(best, fromOrigin(corner(faces[f]), corner(faces[f + 1]), corner(faces[f + 2])));
+      return Math.sqrt(best);
+    });
+  }
+
+  // The square of the distance of a triangle from the origin.
+  function fromOrigin(a, b, c) {
+    const minus = (p, q) => p.map((x, k) => x - q[k]), dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    const edge = (p, q) => {
+      const d = minus(q, p), t = Math.max(0, Math.min(1, -dot(p, d) / (dot(d, d) || 1)));
+      const r = p.map((x, k) => x + t * d[k]);
+      return dot(r, r);
+    };
+    const [e, g] = [minus(b, a), minus(c, a)], [ee, eg, gg] = [dot(e, e), dot(e, g), dot(g, g)];
+    const [ea, ga, det] = [-dot(a, e), -dot(a, g), ee * gg - eg * eg];
+    const [s, t] = [(gg * ea - eg * ga) / det, (ee * ga - eg * ea) / det];
+    if (det > 0 && s >= 0 && t >= 0 && s + t <= 1) {
+      const foot = a.map((x, k) => x + s * e[k] + t * g[k]);
+      return dot(foot, foot);
+    }
+    return Math.min(edge(a, b), edge(b, c), edge(c, a));
+  }
+
+  function paintOne(index, other, ratio) {
+    const dark = isDark(), surface = surfaces[index], { matrix, turn } = matrices();
+    const pen = dark ? [0.88, 0.91, 0.95] : [0.11, 0.15, 0.2];
     gl.useProgram(skin.id);
     gl.uniformMatrix4fv(skin.uniform.matrix, false, matrix);
     gl.uniformMatrix3fv(skin.uniform.turn, false, turn);
@@ -297,10 +381,10 @@
     gl.uniform3f(skin.uniform.paint, 0.80, 0.84, 0.88);
     gl.uniform3fv(skin.uniform.none, data.none.map((c) => c / 255));
     if (state.field >= 0) {
-      const field = data.fields[state.field];
-      gl.bindTexture(gl.TEXTURE_2D, scales[field.signed ? 0 : 1].id);
-      gl.uniform1f(skin.uniform.low, field.signed ? -1 : 0);
-      bind(surface.fields[state.field], skin.attribute.value, 1);
+      const signed = fields(state.field).signed, buffered = values(index, other);
+      gl.bindTexture(gl.TEXTURE_2D, scales[signed ? 0 : 1].id);
+      gl.uniform1f(skin.uniform.low, signed ? -1 : 0);
+      bind(buffered, skin.attribute.value, 1);
     } else {
       gl.disableVertexAttribArray(skin.attribute.value);
       gl.vertexAttrib1f(skin.attribute.value, 0);
@@ -324,6 +408,7 @@
       lines(surface.edges, width * ratio, [...pen, 0.8], matrix);
       gl.disable(gl.DEPTH_TEST);
       points(surface, size * ratio, [...pen, 1], inside, matrix);
+      gl.enable(gl.DEPTH_TEST);
     }
   }
 
@@ -344,8 +429,15 @@
     return text.replace(/-/g, "−");
   };
 
+  // A field of the data, or the distance to the other surface.
+  function fields(k) {
+    if (k < DISTANCE) return data.fields[k];
+    const full = distanceScale() * data.radius;
+    return { name: "distance to the other surface", symbol: "", unit: "length", signed: false, full, largest: full };
+  }
+
   function legend() {
-    const field = data.fields[state.field];
+    const field = state.field < 0 ? null : fields(state.field);
     $("legend").hidden = !field;
     if (!field) return;
     const { colours } = scales[field.signed ? 0 : 1];
@@ -359,14 +451,20 @@
     $("low").textContent = (more && field.signed ? "≤ " : "") + written(low);
     $("middle").textContent = field.signed ? "0" : written(high / 2);
     $("high").textContent = (more ? "≥ " : "") + written(high);
-    $("quantity").textContent = `${field.name} ${field.symbol}` + (field.unit ? ` in ${field.unit}` : "");
+    $("quantity").textContent = `${field.name} ${field.symbol}`.trim() + (field.unit ? ` in ${field.unit}` : "");
   }
 
   function choose(index) {
     state.surface = index;
-    const surface = surfaces[index];
-    $("caption").textContent = `${surface.name}: ${surface.caption}`;
+    told();
+  }
+
+  function told() {
+    const [surface, other] = [surfaces[state.surface], surfaces[state.other]];
+    const said = ({ name, caption }) => `${name}: ${caption}`;
+    $("caption").textContent = other ? `Left: ${said(surface)}. Right: ${said(other)}` : said(surface);
     canvas.setAttribute("aria-label", `${surface.name}. ${$("help").textContent}`);
+    legend();
     draw();
   }
 
@@ -377,6 +475,7 @@
       '<input type="range" id="frame" min="0" value="0" aria-label="Surface"></div>');
     const slider = $("frame");
     slider.max = surfaces.length - 1;
+    slider.value = state.surface;
     const set = (k) => {
       slider.value = k;
       slider.setAttribute("aria-valuetext", surfaces[k].name);
@@ -392,7 +491,19 @@
       $("play").setAttribute("aria-pressed", String(playing));
     });
   } else {
-    surfaces.forEach((surface, k) => methods.append(chip("method", k, surface.name, k === 0, () => choose(k))));
+    choices(methods, "method", surfaces.map((surface, k) => [surface.name, k]), state.surface, choose);
+  }
+  if (surfaces.length > 1) {
+    const compare = $("compare");
+    compare.closest("label").hidden = false;
+    surfaces.forEach((surface, k) => compare.append(new Option(surface.name, k)));
+    compare.addEventListener("change", () => {
+      state.other = +compare.value;
+      // The distance has a meaning beside another surface only.
+      colourings();
+      home();
+      told();
+    });
   }
 
   function chip(group, value, text, checked, act) {
@@ -406,13 +517,36 @@
     return label;
   }
 
-  const colourings = [...data.fields.map((field, k) => [field.label, k]), ["plain", -1]];
-  for (const [text, k] of colourings)
-    $("fields").append(chip("field", k, text, k === state.field, () => {
+  // One of several: chips where there is room, a list on phones or if there are many.
+  function choices(place, group, entries, chosen, act) {
+    const list = document.createElement("select"), legend = place.querySelector("legend");
+    list.setAttribute("aria-label", legend.textContent);
+    place.replaceChildren(legend);
+    const pick = (value) => {
+      list.value = value;
+      place.querySelectorAll("input").forEach((input) => (input.checked = +input.value === value));
+      act(value);
+    };
+    for (const [text, value] of entries) {
+      place.append(chip(group, value, text, value === chosen, () => pick(value)));
+      list.append(new Option(text, value, false, value === chosen));
+    }
+    place.classList.toggle("many", entries.length > 6);
+    list.addEventListener("change", () => pick(+list.value));
+    place.append(list);
+  }
+
+  function colourings() {
+    const entries = data.fields.map((field, k) => [field.label, k]);
+    if (state.other >= 0) entries.push(["distance", DISTANCE]);
+    else if (state.field === DISTANCE) state.field = data.fields.length ? 0 : -1;
+    choices($("fields"), "field", [...entries, ["plain", -1]], state.field, (k) => {
       state.field = k;
       legend();
       draw();
-    }));
+    });
+  }
+  colourings();
   for (const name of ["net", "wires"])
     $(name).addEventListener("change", () => {
       state[name] = $(name).checked;
@@ -438,7 +572,18 @@
     camera.pan = [camera.pan[0] + x * step, camera.pan[1] - y * step];
     draw();
   };
-  const fingers = new Map();
+  // A swipe up or down scrolls the page, as everywhere; one that begins with a moment's rest, or of two fingers, turns.
+  const fingers = new Map(), REST = 220, SLIP = 8;
+  let [held, resting] = [false, 0];
+  const hold = () => {
+    held = true;
+    canvas.classList.add("held");
+  };
+  const release = () => {
+    clearTimeout(resting);
+    held = false;
+    canvas.classList.remove("held");
+  };
   const spread = () => {
     const [p, q] = [...fingers.values()];
     return Math.hypot(p[0] - q[0], p[1] - q[1]);
@@ -446,21 +591,31 @@
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    if (event.pointerType !== "touch" || fingers.size > 1) hold();
+    else resting = setTimeout(hold, REST);
   });
   canvas.addEventListener("pointermove", (event) => {
     const last = fingers.get(event.pointerId);
     if (!last) return;
+    const [x, y] = [event.clientX - last[0], event.clientY - last[1]];
+    if (!held && Math.hypot(x, y) < SLIP) return;
+    clearTimeout(resting);
     const before = fingers.size === 2 ? spread() : 0;
     fingers.set(event.pointerId, [event.clientX, event.clientY]);
-    const [x, y] = [event.clientX - last[0], event.clientY - last[1]];
     if (fingers.size === 2) {
       zoom(before / Math.max(spread(), 1));
       pan(x / 2, y / 2);
     } else if (event.shiftKey || event.buttons & 6) pan(x, y);
-    else rotate(x * 0.008, y * 0.008);
+    else rotate(x * 0.008, held ? y * 0.008 : 0);
   });
   for (const end of ["pointerup", "pointercancel"])
-    canvas.addEventListener(end, (event) => fingers.delete(event.pointerId));
+    canvas.addEventListener(end, (event) => {
+      fingers.delete(event.pointerId);
+      if (!fingers.size) release();
+    });
+  canvas.addEventListener("touchmove", (event) => {
+    if (held || event.touches.length > 1) event.preventDefault();
+  }, { passive: false });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("dblclick", reset);
   canvas.addEventListener("wheel", (event) => {
@@ -484,7 +639,8 @@
   canvas.addEventListener("webglcontextrestored", () => location.reload());
   new ResizeObserver(() => draw()).observe(canvas);
 
+  if (matchMedia("(pointer: coarse)").matches)
+    $("help").textContent = "Swipe sideways to turn; rest a finger, then move it, to turn freely; two fingers zoom and move.";
   home();
-  choose(0);
-  legend();
+  told();
 })();

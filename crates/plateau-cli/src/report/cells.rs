@@ -2,6 +2,7 @@
 
 use super::figure::{FIGURES, Figure, Place};
 use super::grid::Column;
+use super::standing::{Standing, standings};
 use crate::number::Form;
 use plateau::{Done, MethodResult, Results};
 
@@ -14,6 +15,7 @@ pub(crate) struct Cells {
 /// A row of a table.
 pub(crate) struct Row {
     pub(crate) cells: Vec<String>,
+    pub(crate) standing: Standing,
     /// Why there are no figures.
     pub(crate) failure: Option<String>,
 }
@@ -30,12 +32,17 @@ const WORDS: [Words; 2] = [("weights", "a b", weights), ("shape parameters", "α
 /// conformality gap, and how far the boundary curves lie from the Bernstein curves of the net.
 pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
     let is_exact = results.methods.iter().any(has_closed_form);
-    let shown: Vec<&Figure> =
+    let mut shown: Vec<&Figure> =
         FIGURES.iter().filter(|figure| figure.place == Place::Everywhere || place == Place::Page).collect();
+    if place == Place::Page {
+        // A narrow page shows what it has room for: the area first.
+        shown.sort_by_key(|figure| !figure.key.starts_with("area"));
+    }
     let mut columns = vec![Column::words(if is_exact { "surface" } else { "method" }, "")];
     columns.extend(shown.iter().map(|figure| figure.column()));
     columns.extend(WORDS.map(|(heading, beneath, _)| Column::words(heading, beneath)));
-    let row = |method: &MethodResult| {
+    let done: Vec<Option<&Done>> = results.methods.iter().map(|m| m.outcome.as_deref().ok()).collect();
+    let row = |(method, standing): (&MethodResult, Standing)| {
         let mut cells = vec![method.name.clone()];
         match &method.outcome {
             Ok(done) => {
@@ -47,9 +54,9 @@ pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
                 cells.resize(columns.len(), String::new());
             }
         }
-        Row { cells, failure: method.outcome.as_ref().err().map(ToString::to_string) }
+        Row { cells, standing, failure: method.outcome.as_ref().err().map(ToString::to_string) }
     };
-    let rows = results.methods.iter().take(most).map(row).collect();
+    let rows = results.methods.iter().zip(standings(&done)).take(most).map(row).collect();
     Cells { columns, rows }.without_empty_columns()
 }
 
@@ -60,7 +67,13 @@ fn has_closed_form(method: &MethodResult) -> bool {
 impl Cells {
     /// A table none of whose rows failed.
     pub(crate) fn new(columns: Vec<Column>, rows: Vec<Vec<String>>) -> Self {
-        Self { columns, rows: rows.into_iter().map(|cells| Row { cells, failure: None }).collect() }
+        Self {
+            columns,
+            rows: rows
+                .into_iter()
+                .map(|cells| Row { cells, standing: Standing::Alone, failure: None })
+                .collect(),
+        }
     }
 
     fn without_empty_columns(mut self) -> Self {

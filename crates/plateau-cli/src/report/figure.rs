@@ -1,6 +1,7 @@
 //! The figures of a patch that tables show: one table of them, which the columns of all others follow from.
 
 use super::grid::Column;
+use super::standing::UNMOVED;
 use crate::number::Form;
 use plateau::Done;
 
@@ -130,7 +131,7 @@ pub(crate) const FIGURES: [Figure; 10] = [
         power: 1,
         value: |done| done.boundary.map(|boundary| boundary.deviation),
         form: Form::Decimals(4),
-        rounding: (1e-12, "0"),
+        rounding: (UNMOVED, "0"),
         ..PLAIN
     },
     Figure {

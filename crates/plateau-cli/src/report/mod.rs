@@ -4,6 +4,7 @@ pub(crate) mod cells;
 pub(crate) mod curve_table;
 pub(crate) mod figure;
 pub(crate) mod grid;
+pub(crate) mod standing;
 mod table;
 
 pub use table::table;

@@ -5,7 +5,12 @@ use serde_json::{Value, json};
 
 use crate::colour;
 use crate::number::{Form, number};
+use crate::report::standing::{Standing, standings};
 use crate::scene::{Field, LARGEST_NET, Scene, Shown};
+use plateau::Done;
+
+/// Nets of a higher degree hide their surface and are shown when asked for.
+const MOST_DEGREE: usize = 3;
 
 /// The data of the viewer as JSON that may stand inside a script element. Points are in the frame of the scene, values in
 /// units of the full scale of their field, NaN where there is none; both little-endian `f32` in base64.
@@ -44,6 +49,8 @@ fn scene_value(scene: &Scene<'_>) -> Value {
         "scales": [scale(&|t| colour::diverging(2.0 * t - 1.0)), scale(&colour::sequential)],
         "none": colour::NONE,
         "deformation": is_deformation(scene),
+        "best": best(scene),
+        "radius": scene.radius,
         "home": { "turn": scene.direction.azimuth, "tilt": scene.direction.elevation },
         "surfaces": scene.surfaces.iter().map(|shown| surface(scene, shown, &fields)).collect::<Vec<_>>(),
     })
@@ -53,6 +60,12 @@ fn scene_value(scene: &Scene<'_>) -> Value {
 fn is_deformation(scene: &Scene<'_>) -> bool {
     let weighted = |shown: &Shown<'_>| shown.done.closed_form.is_some_and(|form| form.weights.is_some());
     scene.surfaces.len() > 1 && scene.surfaces.iter().all(weighted)
+}
+
+/// The surface to begin with: the one of least area, if they can be compared.
+fn best(scene: &Scene<'_>) -> usize {
+    let rows: Vec<Option<&Done>> = scene.surfaces.iter().map(|shown| Some(shown.done)).collect();
+    standings(&rows).iter().position(|standing| *standing == Standing::Best).unwrap_or(0)
 }
 
 fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Value {
@@ -83,6 +96,7 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
         "values": values,
         "net": {
             "large": shown.net_size() > LARGEST_NET,
+            "many": net.degree > MOST_DEGREE,
             "points": points(&net.points),
             "boundary": net.on_boundary.iter().map(|&b| u8::from(b)).collect::<Vec<_>>(),
             "edges": BASE64_STANDARD.encode(edges),

@@ -8,6 +8,7 @@ use crate::report::cells::{Cells, cells};
 use crate::report::curve_table::{samples, summary};
 use crate::report::figure::Place;
 use crate::report::grid::Column;
+use crate::report::standing::Standing;
 use plateau::{CurveResult, Quantity, Results};
 
 /// Most rows of a table.
@@ -44,7 +45,11 @@ fn table(Cells { columns, rows }: &Cells) -> String {
     html += "</tr></thead><tbody>\n";
     for row in rows {
         let shown = if row.failure.is_some() { 1 } else { columns.len() };
-        html += "<tr>";
+        html += match row.standing {
+            Standing::Best => "<tr class=\"best\">",
+            Standing::Apart => "<tr class=\"apart\">",
+            Standing::Above(_) | Standing::Alone => "<tr>",
+        };
         for cell in &row.cells[..shown] {
             let _ = write!(html, "<td>{}</td>", Escaped(cell));
         }

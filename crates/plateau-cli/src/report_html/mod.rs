@@ -18,6 +18,9 @@ const VIEWER: &str = include_str!("../../web/viewer.js");
 /// Most bytes of the experiment file that are shown.
 const SHOWN: usize = 64 * 1024;
 
+/// Most files that are listed.
+const FILES: usize = 60;
+
 /// Most notes that are shown.
 const NOTES: usize = 100;
 
@@ -31,6 +34,8 @@ pub(crate) struct About<'a> {
     pub(crate) seed: u64,
     /// Numbers that are wanted of the results.
     pub(crate) comparisons: Vec<Comparison<'a>>,
+    /// Files beside the page that hold its surfaces and its numbers.
+    pub(crate) files: Vec<String>,
     /// What the numbers depend on: names and values.
     pub(crate) origin: Vec<(&'static str, String)>,
 }
@@ -46,6 +51,7 @@ pub(crate) fn page(
     let mut body = String::new();
     body += &view(scene);
     body += &section("Figures", &(figures_of(results) + &notes(results)));
+    body += &downloads(&about.files);
     let mut drawn = String::new();
     for picture in pictures {
         let (svg, caption) = (&picture.svg, Escaped(&picture.caption));
@@ -62,7 +68,11 @@ pub(crate) fn page(
         let _ = writeln!(body, "<section>{comparisons}</section>");
     }
     body += &experiment_file(about.text);
-    body += &section("Origin", &origin(results, about));
+    let _ = writeln!(
+        body,
+        "<section><details><summary>Origin</summary>\n{}</details></section>",
+        origin(results, about)
+    );
     // Nothing is ever loaded: the policy makes the browser hold us to it.
     let policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
     let (file, seed) = (Escaped(about.file), about.seed);
@@ -79,6 +89,35 @@ pub(crate) fn page(
          <script type=\"application/json\" id=\"surfaces\">{surfaces}</script>\n\
          <script>\n{VIEWER}</script>\n</body>\n</html>\n"
     )
+}
+
+/// The files beside the page.
+fn downloads(files: &[String]) -> String {
+    let mut html = String::from("<section><h2>Files</h2>\n<ul class=\"downloads\">\n");
+    for file in files.iter().take(FILES) {
+        let (address, name) = (address(file), Escaped(file));
+        let _ = writeln!(html, "<li><a href=\"{address}\" download>{name}</a></li>");
+    }
+    html += "</ul>\n";
+    if files.len() > FILES {
+        let _ =
+            writeln!(html, "<p class=\"faint\">{} more in the folder of this page.</p>", files.len() - FILES);
+    }
+    html + "<p class=\"faint\">They lie in the folder of this page; a copy of the page alone does not hold them.</p></section>\n"
+}
+
+/// The name of a file as a relative address: all but letters, digits and `-._` by their bytes.
+fn address(name: &str) -> String {
+    let mut address = String::from("./");
+    for byte in name.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' => address.push(char::from(byte)),
+            _ => {
+                let _ = write!(address, "%{byte:02X}");
+            }
+        }
+    }
+    address
 }
 
 fn section(heading: &str, content: &str) -> String {
@@ -100,13 +139,15 @@ fn view(scene: Option<&Scene<'_>>) -> String {
          the same surfaces.</p>\n\
          <div id=\"stage\">\n\
          <fieldset class=\"choices\" id=\"methods\"><legend>Surface</legend></fieldset>\n\
+         <div class=\"choices\"><label class=\"beside\" hidden><span>Beside</span><select id=\"compare\">\
+         <option value=\"-1\">no other surface</option></select></label></div>\n\
          <fieldset class=\"choices\" id=\"fields\"><legend>Colour</legend></fieldset>\n\
          <canvas id=\"view\" tabindex=\"0\" role=\"img\"></canvas>\n\
          <p id=\"caption\" aria-live=\"polite\"></p>\n\
          <div id=\"legend\"><div id=\"bar\"></div><div class=\"ends\"><span id=\"low\"></span><span id=\"middle\"></span>\
          <span id=\"high\"></span></div><div class=\"faint\" id=\"quantity\"></div></div>\n\
          <div class=\"choices\">\
-         <label class=\"switch\"><input type=\"checkbox\" id=\"net\" checked> control net</label>\
+         <label class=\"switch\"><input type=\"checkbox\" id=\"net\"> control net</label>\
          <label class=\"switch\"><input type=\"checkbox\" id=\"wires\"> wireframe</label>\
          <button type=\"button\" id=\"reset\">Reset the view</button></div>\n\
          <p class=\"faint notice\" id=\"help\">Drag or arrow keys turn, two fingers or + and − zoom, Shift-drag moves, \

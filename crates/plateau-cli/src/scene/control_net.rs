@@ -14,6 +14,8 @@ pub(crate) struct ControlNet {
     pub(crate) on_boundary: Vec<bool>,
     /// Pairs of neighbours.
     pub(crate) edges: Vec<[usize; 2]>,
+    /// The highest degree of its patches.
+    pub(crate) degree: usize,
 }
 
 impl ControlNet {
@@ -31,6 +33,7 @@ impl ControlNet {
             Surface::Triangle(patch) => {
                 let triangle = patch.net();
                 let n = triangle.degree();
+                net.degree = n;
                 net.points = triangle.points().to_vec();
                 net.on_boundary = triangle.indices().map(|index| index.contains(&0)).collect();
                 for a in 0..n {
@@ -52,6 +55,7 @@ impl ControlNet {
     fn add(&mut self, net: &Net) {
         let first = self.points.len();
         let (rows, cols) = (net.rows(), net.cols());
+        self.degree = self.degree.max(rows.max(cols) - 1);
         self.points.extend_from_slice(net.points());
         for i in 0..rows {
             for j in 0..cols {
