@@ -107,6 +107,13 @@ fn experiment(
             return Ok(Outcome::Unsound);
         }
     };
+    if let refused @ 1.. = checkpoint.refused() {
+        let runs = counted(refused);
+        say(&format!(
+            "warning: {}: not what the search finds, run again: {runs}",
+            checkpoint.path().display()
+        ));
+    }
     // A folder is only replaced by a whole experiment.
     if finished.results.was_interrupted() {
         let kept = kept(plan, &checkpoint);

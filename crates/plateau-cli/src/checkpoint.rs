@@ -53,6 +53,8 @@ struct State {
     /// Whether there is a file of this experiment, with some of the runs or all.
     written: bool,
     problem: Option<io::Error>,
+    /// How many runs of the file were not believed.
+    refused: usize,
 }
 
 /// Why a checkpoint is not used.
@@ -80,8 +82,13 @@ struct Record {
 impl Checkpoint {
     /// A checkpoint in `folder`, with no runs; what is on disk is left alone until the first write.
     pub fn new(folder: &Path, manifest: Manifest, interval: Duration) -> Self {
-        let state =
-            State { runs: BTreeMap::new(), due: Instant::now() + interval, written: false, problem: None };
+        let state = State {
+            runs: BTreeMap::new(),
+            due: Instant::now() + interval,
+            written: false,
+            problem: None,
+            refused: 0,
+        };
         Self {
             path: folder.join(CHECKPOINT_FILE),
             manifest,
@@ -140,6 +147,11 @@ impl Checkpoint {
         self.lock().problem.as_ref().map(ToString::to_string)
     }
 
+    /// How many runs of the file are not what the searches find, and were run again.
+    pub fn refused(&self) -> usize {
+        self.lock().refused
+    }
+
     /// Removes the file, if there is one: the experiment is done. What is no regular file was put there by others and stays.
     ///
     /// # Errors
@@ -186,6 +198,12 @@ impl Checkpoint {
 impl Keeper for Checkpoint {
     fn run(&self, method: usize, run: usize) -> Option<SearchRun> {
         self.lock().runs.get(&(method, run)).cloned()
+    }
+
+    fn refuse(&self, method: usize, run: usize) {
+        let mut state = self.lock();
+        state.runs.remove(&(method, run));
+        state.refused += 1;
     }
 
     fn keep(&self, method: usize, run: &SearchRun) {

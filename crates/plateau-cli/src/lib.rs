@@ -52,6 +52,7 @@ mod report_html;
 mod reproduce;
 mod result;
 mod result_reader;
+mod result_size;
 mod run;
 mod scene;
 mod schema;

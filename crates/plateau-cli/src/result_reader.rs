@@ -17,6 +17,7 @@ use thiserror::Error;
 use crate::atomic::regular;
 use crate::export::{self, Subject};
 use crate::file_name::file_names;
+use crate::result_size::{Excess, MAX_TABLES, MAX_VALUES, excess};
 use crate::{Destination, ExportError, Format, SCHEMA, SurfaceForm};
 use plateau::{Family, MAX_DEGREE, Surface};
 
@@ -33,6 +34,14 @@ pub enum ReadError {
     /// Too large to be one.
     #[error("is larger than {} MiB, the most that is read of a result", LARGEST_FILE >> 20)]
     TooLarge,
+    /// More than fits into a reasonable amount of memory.
+    #[error("holds more than {most} {what}, the most that is read of a result")]
+    TooMuch {
+        /// The limit.
+        most: usize,
+        /// What there is too much of.
+        what: &'static str,
+    },
     /// A folder.
     #[error("is a folder: name the result.json in it")]
     Folder,
@@ -141,6 +150,7 @@ impl StoredResult {
     /// # Errors
     /// [`ReadError`].
     pub fn parse(bytes: &[u8]) -> Result<Self, ReadError> {
+        check_size(bytes)?;
         let record: Record = serde_json::from_slice(bytes)
             .map_err(|source| ReadError::Json { place: String::new(), source })?;
         check_schema(record.schema)?;
@@ -177,7 +187,20 @@ pub(crate) fn contents(path: &Path) -> Result<Vec<u8>, ReadError> {
     }
     let mut bytes = Vec::new();
     File::open(path)?.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LARGEST_FILE { Err(ReadError::TooLarge) } else { Ok(bytes) }
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(ReadError::TooLarge);
+    }
+    check_size(&bytes)?;
+    Ok(bytes)
+}
+
+/// Refuses a text that would take many times its length, before it is parsed.
+fn check_size(bytes: &[u8]) -> Result<(), ReadError> {
+    match excess(bytes) {
+        None => Ok(()),
+        Some(Excess::Values) => Err(ReadError::TooMuch { most: MAX_VALUES, what: "values" }),
+        Some(Excess::Tables) => Err(ReadError::TooMuch { most: MAX_TABLES, what: "tables" }),
+    }
 }
 
 impl StoredMethod {

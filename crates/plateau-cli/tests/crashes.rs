@@ -303,6 +303,50 @@ fn checkpoints_that_do_not_fit_are_ignored_and_say_why() {
     assert!(said.contains("is ignored: it was written with another experiment"), "{said}");
 }
 
+/// What is changed in the record of a run.
+type Forge = fn(&mut serde_json::Value);
+
+#[test]
+fn a_forged_run_with_the_right_hash_is_run_again() {
+    use sha2::{Digest, Sha256};
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("x.toml");
+    fs::write(&file, fixture("gt-5.1.toml", 20, 40, 6)).unwrap();
+    let plan = Plan::read(&file).unwrap();
+    let files = [file];
+    let (out, undisturbed) = (folder.path().join("out"), folder.path().join("undisturbed"));
+    assert!(plateau(&files, &undisturbed, &[]).output().unwrap().status.success());
+    let options = Options::default();
+    let forge: [(&str, Forge); 5] = [
+        ("value", |run| run["value"] = 0.into()),
+        ("shape", |run| run["shape"][1] = 1.25_f64.to_bits().into()),
+        ("history", |run| run["history"][3] = 1e9_f64.to_bits().into()),
+        ("seed", |run| run["seed"] = 8.into()),
+        ("both", |run| {
+            run["value"] = 1e-3_f64.to_bits().into();
+            run["polish"]["value"] = 1e-3_f64.to_bits().into();
+        }),
+    ];
+    for (what, forge) in forge {
+        let _ = fs::remove_dir_all(&out);
+        let checkpoint = Checkpoint::new(&out.join("x"), Manifest::new(&plan, options), Duration::ZERO);
+        run_kept(&plan, options, &(), &checkpoint).unwrap();
+        let whole = fs::read_to_string(checkpoint.path()).unwrap();
+        let mut record: serde_json::Value = serde_json::from_str(whole.lines().nth(1).unwrap()).unwrap();
+        forge(&mut record["runs"][2]);
+        let body = record.to_string();
+        fs::write(checkpoint.path(), format!("{:x}\n{body}\n", Sha256::digest(&body))).unwrap();
+        let output = plateau(&files, &out, &["--resume"]).output().unwrap();
+        let said = text_of(&output);
+        assert!(output.status.success() && contents(&out) == contents(&undisturbed), "{what}: {said}");
+        assert!(said.contains("6 finished search runs taken from"), "{what}: {said}");
+        assert!(
+            said.contains("not what the search finds, run again: 1 finished search run"),
+            "{what}: {said}"
+        );
+    }
+}
+
 fn text_of(output: &Output) -> String {
     text(&output.stderr).to_owned()
 }

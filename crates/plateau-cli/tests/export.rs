@@ -262,6 +262,19 @@ fn refused_at(size: &str) {
 }
 
 #[test]
+fn greedy_results_are_refused_before_they_fill_the_memory() {
+    let many =
+        format!("{{\"schema\": \"plateau-result/1\", \"methods\": [{}0]}}", "{\"\":0},".repeat(1_200_000));
+    let said = StoredResult::parse(many.as_bytes()).unwrap_err().to_string();
+    assert!(said.contains("more than 400000 tables"), "{said}");
+    let folder = Folder::new("greedy");
+    let path = folder.0.join("result.json");
+    fs::write(&path, many).unwrap();
+    let error = plateau_cli::verify(&path, &()).unwrap_err();
+    assert!(error.to_string().contains("more than 400000 tables"), "{error}");
+}
+
+#[test]
 fn the_command_exports() {
     let folder = Folder::new("command");
     let plan = &plans()[0];

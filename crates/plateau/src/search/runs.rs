@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use optim::{Bounds, Observer, Polish, Polished, Pso, Reason, Topology};
+use optim::{Bounds, Objective, Observer, Polish, Polished, Pso, Reason, Topology};
 use rayon::prelude::*;
 use surfaces::Net;
 
@@ -22,7 +22,14 @@ impl Search<'_> {
     /// Every run that found something, in order, and the evaluations of all.
     fn runs(&self, method: &Method) -> Result<(Vec<SearchRun>, u64), MethodError> {
         let (options, progress) = (&self.context.search, self.context.progress);
-        let kept = |k| self.context.keeper.run(self.context.index, k);
+        let kept = |k| {
+            let run = self.context.keeper.run(self.context.index, k)?;
+            if self.can_have_made(k, &run) {
+                return Some(run);
+            }
+            self.context.keeper.refuse(self.context.index, k);
+            None
+        };
         let kept: Vec<Option<SearchRun>> = (0..options.runs).map(kept).collect();
         let ahead = kept.iter().filter(|run| run.is_none()).count() as u64;
         let pso = self.swarm();
@@ -46,6 +53,22 @@ impl Search<'_> {
         self.context.keeper.search_ended();
         let evaluations = ended.iter().map(|(evaluations, _)| evaluations).sum();
         Ok((ended.into_iter().filter_map(|(_, run)| run).collect(), evaluations))
+    }
+
+    /// Whether a run that was kept agrees with this search: its place lies in the box, its value is the energy there, and its
+    /// history leads down to it.
+    fn can_have_made(&self, k: usize, run: &SearchRun) -> bool {
+        const ROUNDING: f64 = 1e-9;
+        let near = |x: f64| (x - run.value).abs() <= ROUNDING * run.value.abs();
+        if run.seed != self.context.seed || run.index != k || !self.bounds.contains(&run.shape) {
+            return false;
+        }
+        let mut value = [f64::NAN];
+        self.reduced.evaluate(&run.shape, &mut value);
+        let descends = run.history.is_sorted_by(|a, b| a >= b);
+        let leads_there = run.history.last().is_none_or(|last| *last >= run.value || near(*last));
+        let is_polished = run.polish.as_ref().is_none_or(|p| p.value == run.value && p.point == run.shape);
+        near(value[0]) && descends && leads_there && is_polished
     }
 
     /// One run and its evaluations; seed and index determine it.
