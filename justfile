@@ -60,8 +60,8 @@ evolver:
 
 # Open reports in a headless Chromium (CHROMIUM names it): no console errors, switching methods changes the picture.
 check-report *REPORTS:
-    cd crates/plateau-cli/web && npm install --silent
-    node crates/plateau-cli/web/check-report.mjs {{REPORTS}}
+    cd crates/show/web && npm install --silent
+    node crates/show/web/check-report.mjs {{REPORTS}}
 
 # Format, lint, document.
 lint:
@@ -77,8 +77,8 @@ book *ARGUMENTS:
 reliability: figures success-rates repeat kill
     cargo test --release -p plateau-optim --test search_laws -- --nocapture
     cargo test --release -p plateau-solve --lib error
-    cargo test --release -p plateau-cli --test fixtures --test reproducibility --test crashes --test full_disk
-    cargo test --release -p plateau-cli --test high_degree --test spec_corpus --test limits --test magnitudes --test degenerate -- --nocapture --test-threads 1
+    cargo test --release -p plateau-record -p plateau-cli --test fixtures --test reproducibility --test crashes --test full_disk
+    cargo test --release -p plateau-experiment -p plateau-record -p plateau-cli --test high_degree --test spec_corpus --test limits --test magnitudes --test degenerate -- --nocapture --test-threads 1
     cargo run --release --quiet -- reproduce
     if command -v evolver; then just evolver; else echo "left out: the Surface Evolver is not installed"; fi
     if command -v cargo-llvm-cov; then just coverage; else echo "left out: coverage needs cargo-llvm-cov"; fi
@@ -102,7 +102,7 @@ fuzz SECONDS="600":
         mkdir -p fuzz/corpus/$target
         seeds=(); options=(-max_total_time={{SECONDS}} -print_final_stats=1)
         case $target in
-            experiment) seeds=(../../fixtures templates); options+=(-dict=fuzz/experiment.dict -max_len=4096) ;;
+            experiment) seeds=(../../fixtures ../experiment/templates); options+=(-dict=fuzz/experiment.dict -max_len=4096) ;;
             result) seeds=(fuzz/seeds/result) ;;
         esac
         cargo fuzz run --sanitizer none --debug-assertions $target fuzz/corpus/$target "${seeds[@]}" -- "${options[@]}"

@@ -2,8 +2,8 @@
 
 use std::hint::black_box;
 
+use experiment::{Options, Plan, run};
 use plateau_benches::FixtureError;
-use plateau_cli::{Options, Plan, run};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/gt-5.1.toml");
 

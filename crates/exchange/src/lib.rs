@@ -1,4 +1,4 @@
-//! Boundaries from the files of other programs.
+//! Boundaries from the files of other programs, surfaces and curves as files for them.
 //!
 //! [`read_curves`] knows what a file is by its content: a table of points, the lines and free-form curves of an OBJ file, the
 //! edges of a STEP file, the entities of a DXF file; what it does not read it names. [`Assembly::new`] makes one boundary of
@@ -17,6 +17,11 @@
 
 mod assembly;
 mod curves;
+mod writers;
 
 pub use assembly::{Assembly, AssemblyError, AssemblyOptions, Form, Side, Walk, Weld};
 pub use curves::{CurveFile, CurveFileError, FileCurve, Kind, Shape, read_curves};
+pub use writers::{
+    Colours, DEFAULT_TOLERANCE, Format, Subject, SurfaceFile, SurfaceForm, Unfit, diagonal, write_curve,
+    write_deformation,
+};

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use plateau::Progress;
-use plateau_cli::Printable;
+use show::Printable;
 
 use crate::interrupt::interrupted;
 

@@ -3,10 +3,10 @@
 use std::io::Write;
 use std::time::Duration;
 
+use experiment::{Finished, Options, Plan, run_kept};
 use plateau::Progress;
-use plateau_cli::{
-    Checkpoint, Finished, Manifest, Options, Plan, deliver_watched, earlier, folder, prepare, run_kept, table,
-};
+use record::{Checkpoint, Manifest, deliver_watched, earlier, folder, prepare};
+use show::table;
 
 use crate::bars::Bars;
 use crate::command::{self, Failure, RunArguments, line, say};
@@ -170,7 +170,7 @@ fn experiment(
 /// An experiment whose result is there already.
 fn repeat(
     plan: &Plan,
-    earlier: &plateau_cli::Earlier,
+    earlier: &record::Earlier,
     arguments: &RunArguments,
     stdout: &mut impl Write,
 ) -> Result<Outcome, Failure> {
@@ -224,7 +224,7 @@ fn forget(checkpoint: &Checkpoint) {
 /// `reproduce`: the published tables; nothing is written to disk.
 pub(crate) fn reproduce(json: bool, quiet: bool, stdout: &mut impl Write) -> Result<(), Failure> {
     listen();
-    let reproduction = plateau_cli::reproduce(Options::default(), &Bars::new(quiet));
+    let reproduction = record::reproduce(Options::default(), &Bars::new(quiet));
     if interrupted() {
         return Err(Failure::Interrupted);
     }

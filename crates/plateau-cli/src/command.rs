@@ -8,7 +8,9 @@ use clap::builder::PossibleValue;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use plateau_cli::{Experiment, Plan, Printable, Refusal, Template, folder, folder_key};
+use experiment::{Experiment, Plan, Refusal, Template};
+use record::{folder, folder_key};
+use show::Printable;
 
 /// Patches of least energy and least area over a given boundary.
 ///
@@ -156,7 +158,7 @@ pub(crate) struct ExportArguments {
     #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u16).range(2..=2000))]
     pub(crate) mesh: u16,
     /// STEP: largest distance between a fitted surface and the patch, as a share of the size
-    #[arg(long, value_name = "T", default_value_t = plateau_cli::DEFAULT_TOLERANCE, value_parser = share)]
+    #[arg(long, value_name = "T", default_value_t = exchange::DEFAULT_TOLERANCE, value_parser = share)]
     pub(crate) tolerance: f64,
     /// The file to write, for a single method; by default files beside the result, named after their methods
     #[arg(long, value_name = "FILE")]
@@ -182,11 +184,11 @@ fn share(text: &str) -> Result<f64, String> {
 
 /// A file format by its name.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FileFormat(pub(crate) plateau_cli::Format);
+pub(crate) struct FileFormat(pub(crate) exchange::Format);
 
 impl ValueEnum for FileFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        use plateau_cli::Format::{Glb, Obj, Ply, Step, Stl, Vtu};
+        use exchange::Format::{Glb, Obj, Ply, Step, Stl, Vtu};
         static FORMATS: [FileFormat; 6] = [
             FileFormat(Obj),
             FileFormat(Ply),

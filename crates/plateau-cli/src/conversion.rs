@@ -5,9 +5,8 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 
 use exchange::AssemblyOptions;
-use plateau_cli::{
-    Destination, ExportError, ImportError, ImportOptions, MAX_IMPORT_SIZE, StoredMethod, StoredResult,
-};
+use experiment::{ImportError, ImportOptions, MAX_IMPORT_SIZE};
+use record::{Destination, ExportError, StoredMethod, StoredResult};
 
 use crate::command::{ExportArguments, Failure, ImportArguments, line, say};
 
@@ -76,7 +75,7 @@ pub(crate) fn import(arguments: &ImportArguments, stdout: &mut impl Write) -> Re
     };
     let text = contents(file)
         .map_err(ImportError::from)
-        .and_then(|bytes| plateau_cli::import(&bytes, &file.to_string_lossy(), &options));
+        .and_then(|bytes| experiment::import(&bytes, &file.to_string_lossy(), &options));
     match text {
         Ok(experiment) => Ok(stdout.write_all(experiment.as_bytes())?),
         Err(error) => {

@@ -44,6 +44,6 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
         Command::Completions { shell } => command::completions(shell, stdout),
         Command::Man => command::man(stdout),
-        Command::Schema => Ok(stdout.write_all(plateau_cli::experiment_schema().as_bytes())?),
+        Command::Schema => Ok(stdout.write_all(experiment::experiment_schema().as_bytes())?),
     }
 }

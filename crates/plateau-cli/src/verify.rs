@@ -3,7 +3,8 @@
 use std::io::Write;
 use std::path::Path;
 
-use plateau_cli::{Level, Printable, Verification, VerifyError, verify, width_of_names};
+use record::{Level, Verification, VerifyError, verify};
+use show::{Printable, width_of_names};
 
 use crate::bars::Bars;
 use crate::command::{Failure, VerifyArguments, line, say, start_threads, tell};

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use plateau_cli::{Options, Plan, Template, reproduce, run, table};
+use experiment::{Options, Plan, Template, run};
+use record::reproduce;
+use show::table;
 
 fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs")

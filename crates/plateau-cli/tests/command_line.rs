@@ -68,5 +68,5 @@ fn the_manual_page_and_the_schema_are_printed() {
         assert!(stdout(&page).contains(&format!(".SH \"{section}\"")), "{section}");
     }
     assert!(stdout(&page).contains("\\-\\-threads"));
-    assert_eq!(stdout(&plateau(&["schema"], &folder)), plateau_cli::experiment_schema());
+    assert_eq!(stdout(&plateau(&["schema"], &folder)), experiment::experiment_schema());
 }

@@ -10,10 +10,9 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use experiment::{Finished, Options, Plan, run, run_kept};
 use plateau::Progress;
-use plateau_cli::{
-    CHECKPOINT_FILE, Checkpoint, Finished, Manifest, Options, Plan, ResultFile, run, run_kept,
-};
+use record::{CHECKPOINT_FILE, Checkpoint, Manifest, ResultFile};
 
 /// A fixture with other sizes of its search.
 fn fixture(name: &str, particles: usize, iterations: usize, runs: usize) -> String {

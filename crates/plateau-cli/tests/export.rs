@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use plateau_cli::{
-    DEFAULT_TOLERANCE, Destination, ExportError, Format, Options, Plan, ReadError, StoredResult, deliver, run,
-};
+use exchange::{DEFAULT_TOLERANCE, Format};
+use experiment::{Options, Plan, run};
 use proptest::prelude::*;
+use record::{Destination, ExportError, ReadError, StoredResult, deliver};
 
 const NET: &str = "[boundary]\n\
     u0 = [[0, 0, 0], [2, 0, 2], [4, 0, -2], [6, 0, 0]]\nu1 = [[0, 6, 0], [2, 6, 2], [4, 6, -2], [6, 6, 0]]\n\
@@ -270,7 +270,7 @@ fn greedy_results_are_refused_before_they_fill_the_memory() {
     let folder = Folder::new("greedy");
     let path = folder.0.join("result.json");
     fs::write(&path, many).unwrap();
-    let error = plateau_cli::verify(&path, &()).unwrap_err();
+    let error = record::verify(&path, &()).unwrap_err();
     assert!(error.to_string().contains("more than 400000 tables"), "{error}");
 }
 
@@ -485,7 +485,7 @@ fn stl_says_what_it_loses_far_from_the_origin() {
         let notes = &delivered.notes;
         assert_eq!(notes.iter().any(|note| note.contains("m.stl: far from the origin")), told, "{offset}");
         assert_eq!(notes.len(), usize::from(told), "{notes:?}");
-        assert!(plateau_cli::verify(&folder.0.join("x/result.json"), &()).unwrap().agrees());
+        assert!(record::verify(&folder.0.join("x/result.json"), &()).unwrap().agrees());
     }
 }
 

@@ -6,7 +6,7 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use plateau_cli::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS, Plan};
+use experiment::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS, Plan};
 
 const LARGEST: usize = MAX_FILE_SIZE as usize;
 

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
-use plateau_cli::{Plan, Template};
+use experiment::{Plan, Template};
 
 /// A folder of its own for each test, removed at its end.
 struct Folder(PathBuf);

@@ -6,8 +6,9 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use experiment::{Finished, Options, Plan, run};
 use plateau::Arithmetic;
-use plateau_cli::{Finished, Level, Options, Plan, ResultFile, earlier, run, verify};
+use record::{Level, ResultFile, earlier, verify};
 use serde_json::Value;
 
 fn fixture(name: &str) -> Plan {
@@ -233,7 +234,7 @@ fn what_is_no_result_has_status_2() {
     let output = plateau(&["verify", "there-is-none.json"], folder.path());
     assert_eq!(output.status.code(), Some(2));
     // The old reader needs no manifest.
-    assert!(plateau_cli::StoredResult::parse(early.as_bytes()).is_ok());
+    assert!(record::StoredResult::parse(early.as_bytes()).is_ok());
 }
 
 #[test]

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use plateau_cli::{Fault, Plan, Refusal, Template};
+use experiment::{Fault, Plan, Refusal, Template};
 
 /// A table for every key that no fixture uses.
 const REST: &str = r#"title = "The rest of the keys"

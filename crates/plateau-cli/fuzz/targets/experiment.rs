@@ -3,8 +3,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use plateau::{Basis, Boundary, Energy, Interior, Shape};
-use plateau_cli::{Experiment, Options, Plan, ResultFile, StoredResult};
+use plateau::Shape;
+use plateau::{Basis, Boundary, Energy, Interior};
+use experiment::{Experiment, Options, Plan};
+use record::{ResultFile, StoredResult};
 
 fuzz_target!(|bytes: &[u8]| {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
@@ -18,7 +20,7 @@ fuzz_target!(|bytes: &[u8]| {
             }
         }
         Ok(plan) if is_small(&plan) => {
-            let Ok(finished) = plateau_cli::run(&plan, Options::default(), &()) else { return };
+            let Ok(finished) = experiment::run(&plan, Options::default(), &()) else { return };
             let record = ResultFile::new(&plan, &finished).to_json().expect("every record has a JSON form");
             assert!(!record.contains("null"), "a number that is not finite: {record}");
             if finished.results.curve.is_none() {

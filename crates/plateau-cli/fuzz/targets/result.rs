@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use plateau_cli::StoredResult;
+use record::StoredResult;
 
 fuzz_target!(|bytes: &[u8]| {
     match StoredResult::parse(bytes) {

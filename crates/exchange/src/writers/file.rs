@@ -1,0 +1,96 @@
+//! A surface as a file, in any of the formats.
+
+use std::io::{self, Write};
+
+use plateau::{Family, MAX_COORDINATE, Surface};
+use surfaces::Mesh;
+use thiserror::Error;
+
+use super::format::Format;
+use super::step::StepFile;
+use super::subject::{Export, Subject, SurfaceForm};
+use super::{glb, obj, ply, stl, vtu};
+
+/// A format cannot hold a surface: why, and what to do.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{0}")]
+pub struct Unfit(pub String);
+
+/// A surface ready to be written in one format.
+pub struct SurfaceFile<'a> {
+    subject: Subject<'a>,
+    content: Content,
+}
+
+enum Content {
+    Mesh(&'static dyn Export),
+    Step(Box<StepFile>),
+}
+
+impl<'a> SurfaceFile<'a> {
+    /// The file of `surface` in `format`; `tolerance` is a share of the size and bounds the distance of a fitted surface from
+    /// the patch.
+    ///
+    /// # Errors
+    /// [`Unfit`] if the format cannot hold the surface within the tolerance.
+    pub fn new(
+        format: Format,
+        subject: Subject<'a>,
+        (surface, family): (&Surface, Family),
+        tolerance: f64,
+    ) -> Result<Self, Unfit> {
+        let content = match format {
+            Format::Step => {
+                let file =
+                    StepFile::new(surface, family, tolerance).map_err(|error| Unfit(error.to_string()))?;
+                Content::Step(Box::new(file))
+            }
+            Format::Obj => Content::Mesh(&obj::Obj),
+            Format::Ply => Content::Mesh(&ply::Ply),
+            Format::Stl => Content::Mesh(&stl::Stl),
+            Format::Glb => Content::Mesh(&glb::Glb),
+            Format::Vtu => Content::Mesh(&vtu::Vtu),
+        };
+        match (&content, overflow(subject.mesh)) {
+            (Content::Mesh(_), Some(reason)) => Err(Unfit(reason)),
+            (Content::Mesh(_), None) | (Content::Step(_), _) => Ok(Self { subject, content }),
+        }
+    }
+
+    /// How the file holds the surface, where that takes saying.
+    pub fn form(&self) -> Option<SurfaceForm> {
+        match &self.content {
+            Content::Mesh(format) => format.form(&self.subject),
+            Content::Step(file) => {
+                Some(SurfaceForm { deviation: file.deviation(), description: file.description() })
+            }
+        }
+    }
+
+    /// Writes the file.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidData`](io::ErrorKind::InvalidData), with the reason in words, for what the format cannot hold; else what
+    /// `out` says.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        match &self.content {
+            Content::Mesh(format) => format.write(&self.subject, out),
+            Content::Step(file) => file.write(self.subject.name, out),
+        }
+    }
+}
+
+/// What a mesh file holds of its mesh cannot be told from nothing if a number is not finite: coordinates near the end of double
+/// precision overflow in normals and curvatures.
+fn overflow(mesh: &Mesh) -> Option<String> {
+    let vectors = mesh.points.iter().chain(&mesh.normals).flat_map(|p| [p.x, p.y, p.z]);
+    let curvatures = mesh.mean_curvature.iter().chain(&mesh.gauss_curvature).flatten().copied();
+    let is_finite = vectors.chain(curvatures).all(f64::is_finite);
+    let largest = mesh.points.iter().flat_map(|p| [p.x, p.y, p.z]).fold(0.0, |m: f64, x| m.max(x.abs()));
+    (!is_finite).then(|| {
+        format!(
+            "points, normals or curvatures of its mesh are beyond double precision, with coordinates up to {largest:.1e}: \
+             scale its control points to at most {MAX_COORDINATE:.0e}"
+        )
+    })
+}

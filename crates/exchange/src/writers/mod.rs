@@ -1,0 +1,24 @@
+//! Meshes, surfaces and curves as files for other programs, one format a file.
+
+mod csv;
+mod deformation;
+mod extent;
+mod file;
+mod format;
+mod glb;
+mod name;
+mod obj;
+mod ply;
+mod single;
+mod spline;
+mod step;
+mod stl;
+mod subject;
+mod vtu;
+
+pub use csv::write_curve;
+pub use deformation::write_deformation;
+pub use extent::diagonal;
+pub use file::{SurfaceFile, Unfit};
+pub use format::{DEFAULT_TOLERANCE, Format};
+pub use subject::{Colours, Subject, SurfaceForm};

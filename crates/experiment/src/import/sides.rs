@@ -1,0 +1,278 @@
+//! Three or four sides as an experiment lists them.
+
+use std::fmt::Write;
+
+use exchange::{Assembly, AssemblyOptions, CurveFile, Form};
+use surfaces::{Bezier, Point};
+
+use super::fit::Fit;
+use super::{CornerGap, ImportError, ImportOptions, MANY, polylines, printed};
+
+/// Names of the sides, in the order in which they run around the boundary; whether the experiment has them in that sense.
+const TENSOR: [(&str, bool); 4] = [("u0", true), ("v1", true), ("u1", false), ("v0", false)];
+const TRIANGLE: [(&str, bool); 3] = [("ab", true), ("bc", true), ("ca", true)];
+
+/// A side in the sense in which it runs around the boundary.
+struct Curve {
+    name: &'static str,
+    /// What the file calls it.
+    label: String,
+    points: Vec<Point>,
+    forward: bool,
+    /// Said in a comment above it.
+    comment: Option<String>,
+}
+
+/// The sides of a triangular or a tensor boundary.
+pub(super) struct Sides {
+    curves: Vec<Curve>,
+    size: f64,
+    /// Ends that were moved, and how far at most.
+    welded: (usize, f64),
+}
+
+impl Sides {
+    /// Three or four polylines of a file, one side each, by name or chained by their ends; none for other files.
+    pub(super) fn of_file(file: &CurveFile, options: &ImportOptions) -> Result<Option<Self>, ImportError> {
+        let Some(polylines) = polylines(file) else { return Ok(None) };
+        let names = match polylines.len() {
+            3 => TRIANGLE.as_slice(),
+            4 => TENSOR.as_slice(),
+            _ => return Ok(None),
+        };
+        // A polyline that is closed by itself is no side.
+        if polylines
+            .iter()
+            .any(|(_, points)| points.len() > 2 && points[0] == points[points.len() - 1] && !is_point(points))
+        {
+            return Ok(None);
+        }
+        let curves = around(names, &polylines);
+        let mut sides = Self::welded(curves, options)?;
+        match options.degree {
+            Some(degree) => sides.fit(degree)?,
+            None => {
+                let many = sides
+                    .curves
+                    .iter()
+                    .max_by_key(|curve| curve.points.len())
+                    .filter(|curve| curve.points.len() > MANY);
+                if let Some(curve) = many.filter(|_| !options.control_points) {
+                    return Err(ImportError::Ask { side: curve.label.clone(), count: curve.points.len() });
+                }
+                sides.level();
+            }
+        }
+        Ok(Some(sides))
+    }
+
+    /// The sides of one loop of three or four: straight lines and Bézier curves as they are, others fitted where a degree is given; none
+    /// for other boundaries.
+    pub(super) fn of_assembly(
+        assembly: &Assembly,
+        options: &ImportOptions,
+    ) -> Result<Option<Self>, ImportError> {
+        let Form::Loops(loops) = &assembly.form else { return Ok(None) };
+        let [walks] = loops.as_slice() else { return Ok(None) };
+        let names = match walks.len() {
+            3 => TRIANGLE.as_slice(),
+            4 => TENSOR.as_slice(),
+            _ => return Ok(None),
+        };
+        let sides: Vec<_> = walks.iter().map(|walk| &assembly.sides[walk.side]).collect();
+        let is_exact =
+            |side: &exchange::Side| side.control_points().is_some_and(|points| points.len() <= MANY);
+        let is_sampled = |side: &exchange::Side| matches!(side.shape, exchange::Shape::Polyline(_));
+        if !sides.iter().all(|side| is_exact(side) || (is_sampled(side) && options.degree.is_some())) {
+            return Ok(None);
+        }
+        let curves = names.iter().zip(walks).map(|(&(name, forward), walk)| {
+            let side = &assembly.sides[walk.side];
+            let mut points = side.control_points().map_or_else(|| side.shape.sampled(), <[Point]>::to_vec);
+            if !walk.forward {
+                points.reverse();
+            }
+            Curve { name, label: side.name.clone(), points, forward, comment: None }
+        });
+        let mut found = Self { curves: curves.collect(), size: assembly.size, welded: (0, 0.0) };
+        if let Some(degree) = options.degree {
+            for (curve, side) in found.curves.iter_mut().zip(&sides) {
+                if is_sampled(side) {
+                    curve.fit(degree, assembly.size)?;
+                }
+            }
+        }
+        found.level();
+        Ok(Some(found))
+    }
+
+    /// Joins the ends of neighbours that lie within the tolerance.
+    fn welded(mut curves: Vec<Curve>, options: &ImportOptions) -> Result<Self, ImportError> {
+        let size = exchange::diagonal(curves.iter().flat_map(|curve| &curve.points).map(|&p| p.into()));
+        let tolerance = options.assembly.weld.unwrap_or(AssemblyOptions::WELD * size);
+        if !(tolerance >= 0.0 && (tolerance <= 0.25 * size || size == 0.0)) {
+            let why = format!("--weld {tolerance}: it lies between 0 and a quarter of the size, {size:.3e}");
+            return Err(ImportError::Option(why));
+        }
+        let mut welded = (0, 0.0);
+        for k in 0..curves.len() {
+            let next = (k + 1) % curves.len();
+            let (end, begin) = (last(&curves[k].points), curves[next].points[0]);
+            let gap = end.distance(begin);
+            if gap > tolerance {
+                let named = curves.iter().all(|curve| curve.label == curve.name);
+                let [first, second] = [k, next].map(|k| curves[k].label.clone());
+                let wide = format!("{:.1e}", 1.1 * gap);
+                let (end, begin) = (end.into(), begin.into());
+                let gap = CornerGap { first, second, end, begin, gap, tolerance, wide, named };
+                return Err(ImportError::Corner(Box::new(gap)));
+            }
+            if gap > 0.0 {
+                welded = (welded.0 + 1, f64::max(welded.1, gap));
+            }
+            // Corners are repeated in an experiment and must agree digit for digit.
+            curves[next].points[0] = end;
+        }
+        Ok(Self { curves, size, welded })
+    }
+
+    fn fit(&mut self, degree: usize) -> Result<(), ImportError> {
+        let size = self.size;
+        self.curves.iter_mut().try_for_each(|curve| curve.fit(degree, size))
+    }
+
+    /// Raises the degree of sides whose partner has a higher one, exactly: opposite ones of four, all of three.
+    fn level(&mut self) {
+        let counts: Vec<usize> = self.curves.iter().map(|curve| curve.points.len()).collect();
+        for (k, curve) in self.curves.iter_mut().enumerate() {
+            let partners = if counts.len() == 4 { vec![(k + 2) % 4] } else { vec![0, 1, 2] };
+            let most = partners.iter().map(|partner| counts[*partner]).max().unwrap_or(0);
+            if most <= curve.points.len() {
+                continue;
+            }
+            if let Ok(raised) = Bezier::new(curve.points.clone()) {
+                curve.comment =
+                    Some(format!("raised from degree {} to {}, the same curve", counts[k] - 1, most - 1));
+                curve.points = raised.raised(most - 1).points().to_vec();
+            }
+        }
+    }
+
+    /// The experiment.
+    pub(super) fn printed(mut self, title: &str, notes: &[&str]) -> String {
+        let mut text = printed::head(title, notes);
+        for curve in &mut self.curves {
+            if !curve.forward {
+                curve.points.reverse();
+            }
+        }
+        let (count, largest) = self.welded;
+        // Rounding of the file is not worth a word.
+        if largest > 1e-6 * self.size {
+            let what = if count == 1 { "1 corner".into() } else { format!("{count} corners") };
+            let share = largest / self.size;
+            let _ = writeln!(
+                text,
+                "# {what} welded: ends moved by at most {largest:.2e} ({share:.1e} of the size)"
+            );
+        }
+        self.curves.sort_by_key(|curve| curve.name);
+        for curve in &self.curves {
+            if let Some(comment) = &curve.comment {
+                let _ = writeln!(text, "# {}: {comment}", curve.name);
+            }
+            let _ = writeln!(text, "{} = {}", curve.name, printed::points(&curve.points));
+        }
+        text += "\n[[method]]\nname = \"Dirichlet\"\nenergy = \"dirichlet\"\n\n\
+                 [[method]]\nname = \"least area\"\nenergy = \"area\"\n";
+        text
+    }
+}
+
+impl Curve {
+    /// Takes the points as samples of a curve of the degree; a straight line is raised exactly.
+    fn fit(&mut self, degree: usize, size: f64) -> Result<(), ImportError> {
+        let refuse = |why| ImportError::Fit { side: self.label.clone(), why };
+        let mut samples = self.points.clone();
+        samples.dedup();
+        let equal = self.points.len() - samples.len();
+        let omitted = match equal {
+            0 => String::new(),
+            1 => "; 1 sample equal to the one before it was left out".into(),
+            count => format!("; {count} samples equal to the ones before them were left out"),
+        };
+        if is_straight(&samples) {
+            let line =
+                Bezier::new(vec![samples[0], last(&samples)]).map_err(|error| refuse(error.to_string()))?;
+            self.comment = Some(format!("a straight line, exact{omitted}"));
+            self.points = line.raised(degree).points().to_vec();
+            return Ok(());
+        }
+        let fit = Fit::new(&samples, degree).map_err(refuse)?;
+        self.comment = Some(format!(
+            "fit of degree {degree} to {} samples; farthest {:.2e} ({:.1e} of the size), root mean square {:.2e}{omitted}",
+            fit.samples,
+            fit.largest,
+            fit.largest / size,
+            fit.root_mean_square,
+        ));
+        self.points = fit.points;
+        Ok(())
+    }
+}
+
+/// The sides in the order and the sense in which they run around the boundary.
+fn around(names: &[(&'static str, bool)], sides: &[(&str, &[Point])]) -> Vec<Curve> {
+    let curve = |(name, forward): (&'static str, bool), (label, points): (&str, &[Point]), turned: bool| {
+        let mut points = points.to_vec();
+        if turned {
+            points.reverse();
+        }
+        // Lines of an OBJ file need no name.
+        let label = if label.is_empty() { name.to_owned() } else { label.to_owned() };
+        Curve { name, label, points, forward, comment: None }
+    };
+    let named: Option<Vec<Curve>> = names
+        .iter()
+        .map(|&(name, forward)| {
+            let side = sides.iter().find(|side| side.0 == name)?;
+            Some(curve((name, forward), *side, !forward))
+        })
+        .collect();
+    if let Some(named) = named {
+        return named;
+    }
+    // Without the names of experiments the sides are chained, each the one that begins or ends nearest to where the chain ends.
+    let mut rest = sides.to_vec();
+    let mut chain = vec![curve(names[0], rest.remove(0), false)];
+    while let Some(end) = chain.last().map(|curve| last(&curve.points)) {
+        let nearest = (0..rest.len())
+            .flat_map(|k| [(k, false), (k, true)])
+            .map(|(k, turned)| {
+                let points = rest[k].1;
+                (end.distance(if turned { last(points) } else { points[0] }), k, turned)
+            })
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((_, k, turned)) = nearest else { break };
+        chain.push(curve(names[chain.len()], rest.remove(k), turned));
+    }
+    chain
+}
+
+/// Whether samples run along the straight line from the first to the last, to rounding.
+fn is_straight(samples: &[Point]) -> bool {
+    let (first, end) = (samples[0], last(samples));
+    let Some(direction) = (end - first).unit() else { return false };
+    let close = 1e-12 * (end.distance(first) + first.norm());
+    samples.iter().all(|p| (*p - first).cross(direction).norm() <= close)
+        && samples.windows(2).all(|pair| (pair[1] - pair[0]).dot(direction) > 0.0)
+}
+
+/// Whether all points are one: a side may be a point.
+fn is_point(points: &[Point]) -> bool {
+    points.iter().all(|p| *p == points[0])
+}
+
+fn last(points: &[Point]) -> Point {
+    points.last().copied().unwrap_or_default()
+}

@@ -1,0 +1,45 @@
+//! Experiments: files in, checked plans out, and what comes of them.
+//!
+//! A [`Plan`] is an experiment file, read and checked ([`Diagnostic`]s point at what is wrong with it). [`run()`] computes every
+//! method of a plan by the engine and sets beside it what the file wants of the figures.
+//!
+//! ```
+//! use experiment::{Options, Plan, run};
+//! use plateau::Quantity;
+//!
+//! let text = r#"
+//!     title = "A bilinear saddle, degree 2"
+//!     [boundary]
+//!     u0 = [[0, 0, 0], [0, 1, 0], [0, 2, 0]]
+//!     u1 = [[2, 0, 0], [2, 1, 1], [2, 2, 2]]
+//!     v0 = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]
+//!     v1 = [[0, 2, 0], [1, 2, 1], [2, 2, 2]]
+//!     [[method]]
+//!     name = "Dirichlet"
+//!     basis = "bernstein"
+//!     energy = "dirichlet"
+//! "#;
+//! let plan = Plan::parse("saddle.toml", text)?;
+//! let finished = run(&plan, Options::default(), &())?;
+//! let area = finished.results.methods[0].figure(Quantity::Area).expect("the method succeeds");
+//! assert!((area - 5.123).abs() < 1e-2 && show::table(&finished.results).contains("Dirichlet"), "{area}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod diagnostic;
+mod import;
+mod keys;
+mod limits;
+mod plan;
+mod run;
+mod schema;
+mod template;
+mod text;
+
+pub use diagnostic::{Diagnostic, Fault, Refusal};
+pub use import::{CornerGap, ImportError, ImportOptions, MAX_IMPORT_SIZE, import};
+pub use limits::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS};
+pub use plan::{Expected, Experiment, Output, PatchExperiment, Plan, Published, Wanted, stem};
+pub use run::{Finished, Missed, Options, run, run_kept};
+pub use schema::experiment_schema;
+pub use template::Template;

@@ -1,0 +1,473 @@
+//! Sound experiment files become the plans they describe.
+
+use exchange::{DEFAULT_TOLERANCE, Format};
+use experiment::{Experiment, Output, PatchExperiment, Plan, Template};
+use plateau::{
+    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Energy, Interior, Mask, Method, Patch,
+    Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
+};
+
+fn plan(text: &str) -> Plan {
+    Plan::parse("some/folder/net.one.toml", text).unwrap_or_else(|refusal| panic!("{refusal}"))
+}
+
+fn patches(plan: &Plan) -> &PatchExperiment {
+    match &plan.experiment {
+        Experiment::Patch(patches) => patches,
+        other => panic!("no patches: {other:?}"),
+    }
+}
+
+/// The boundary of GT Example 5.1 with the methods of `text`.
+fn methods(text: &str) -> Vec<Method> {
+    patches(&plan(&format!("{NET}{text}"))).methods.clone()
+}
+
+const NET: &str = r#"title = "Bicubic boundary net I"
+seed = 7                                  # default 0
+
+[boundary]
+u0 = [[0,0,0],[2,0,2],[4,0,-2],[6,0,0]]   # P_{0,j}
+u1 = [[0,6,0],[2,6,2],[4,6,-2],[6,6,0]]   # P_{m,j}
+v0 = [[0,0,0],[0,2,2],[0,4,-2],[0,6,0]]   # P_{i,0}
+v1 = [[6,0,0],[6,2,2],[6,4,-2],[6,6,0]]   # P_{i,n}
+"#;
+
+const EXAMPLE: &str = r#"
+[[method]]                                # one row of the table each
+name = "GT Dirichlet + PSO"
+basis = "gt"                              # "bernstein" | "gt"
+energy = "dirichlet"
+search = true
+
+[[method]]
+name = "Bernstein Dirichlet"
+basis = "bernstein"
+energy = "dirichlet"
+
+[search]
+variant = "global"                        # "global" | "local"
+particles = 50
+iterations = 100
+runs = 10
+inertia = 0.7
+social = 1.5
+cognitive = 1.5
+box = [0.5, 3.5]
+neighbours = 2                            # ring neighbours on each side, local variant
+"#;
+
+#[test]
+fn the_tensor_example() {
+    let text = format!("{NET}{EXAMPLE}");
+    let plan = plan(&text);
+    assert_eq!((plan.title.as_str(), plan.seed), ("Bicubic boundary net I", 7));
+    assert_eq!((plan.stem.as_str(), plan.file.as_str()), ("net.one", "some/folder/net.one.toml"));
+    assert_eq!(plan.text, text);
+    assert_eq!(
+        plan.output,
+        Output { mesh: 48, formats: vec![], pictures: true, step_tolerance: DEFAULT_TOLERANCE }
+    );
+    let patches = patches(&plan);
+    let Boundary::Tensor { u0, u1, v0, v1 } = &patches.boundary else { panic!("{:?}", patches.boundary) };
+    assert_eq!(u0[1], [2.0, 0.0, 2.0]);
+    assert_eq!(u1[2], [4.0, 6.0, -2.0]);
+    assert_eq!(v0[1], [0.0, 2.0, 2.0]);
+    assert_eq!(v1[3], [6.0, 6.0, 0.0]);
+    assert_eq!(patches.boundary.degrees(), (3, 3));
+    assert_eq!(patches.search, Search::default());
+    let dirichlet = Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 0 };
+    let [gt, bernstein] = patches.methods.as_slice() else { panic!("{:?}", patches.methods) };
+    assert_eq!((gt.name.as_str(), gt.patch, gt.basis), ("GT Dirichlet + PSO", Patch::Tensor, Basis::Gt));
+    assert_eq!((gt.shape, gt.interior), (Shape::Search(SearchMode::PsoPolish), dirichlet));
+    assert_eq!((gt.search_energy, gt.raise, gt.solver), (Energy::Dirichlet, 0, SolverChoice::Auto));
+    assert_eq!((bernstein.basis, bernstein.shape), (Basis::Bernstein, Shape::None));
+    assert!(
+        plan.wanted.len() == 2 && plan.wanted.iter().all(|w| w.expect.is_empty() && w.published.is_empty())
+    );
+}
+
+#[test]
+fn degrees_follow_the_lengths_of_rows_and_columns() {
+    let text = r#"
+        title = "Degree (1, 2)"
+        boundary = { u0 = [[0,0,0],[0,1,0],[0,2,0]], u1 = [[1,0,0],[1,1,0],[1,2,0]], v0 = [[0,0,0],[1,0,0]], v1 = [[0,2,0],[1,2,0]] }
+        [[method]]
+        name = "a"
+        energy = "area"
+    "#;
+    assert_eq!(patches(&plan(text)).boundary.degrees(), (1, 2));
+    assert_eq!(plan(text).seed, 0);
+}
+
+#[test]
+fn every_way_to_say_search_and_shape() {
+    for (line, shape) in [
+        ("search = true", Shape::Search(SearchMode::PsoPolish)),
+        ("search = \"pso\"", Shape::Search(SearchMode::Pso)),
+        ("search = \"polish\"", Shape::Search(SearchMode::Polish)),
+        ("search = \"pso-polish\"", Shape::Search(SearchMode::PsoPolish)),
+        ("shape = [1, 2.5, 0, 4]", Shape::Fixed([1.0, 2.5, 0.0, 4.0])),
+        ("search = false\nshape = [1, 1, 1, 1]", Shape::Fixed([1.0; 4])),
+    ] {
+        let text = format!("[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"area\"\n{line}\n");
+        assert_eq!(methods(&text)[0].shape, shape, "{line}");
+    }
+    let text = "[[method]]\nname = \"a\"\nenergy = \"area\"\nsearch = false\n";
+    assert_eq!(methods(text)[0].shape, Shape::None);
+}
+
+#[test]
+fn every_interior() {
+    let extremal = |energy| Interior::Extremal { energy, metric_steps: 0 };
+    for (line, interior) in [
+        ("energy = \"dirichlet\"", extremal(Energy::Dirichlet)),
+        ("energy = \"laplacian\"", extremal(Energy::Laplacian)),
+        ("energy = \"bending\"", extremal(Energy::Bending)),
+        ("energy = \"coons\"", extremal(Energy::Coons)),
+        ("energy = \"area\"", extremal(Energy::Area)),
+        (
+            "energy = \"dirichlet\"\nmetric-steps = 2",
+            Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 2 },
+        ),
+        ("mask = -0.25", Interior::Mask(Mask::Alpha(-0.25))),
+        ("mask = 0", Interior::Mask(Mask::Alpha(0.0))),
+        ("construction = \"discrete-coons\"", Interior::DiscreteCoons),
+        ("construction = \"harmonic\"", Interior::Harmonic),
+    ] {
+        let method = &methods(&format!("[[method]]\nname = \"a\"\n{line}\n"))[0];
+        assert_eq!((method.interior, method.basis), (interior, Basis::Bernstein), "{line}");
+    }
+}
+
+#[test]
+fn what_a_search_minimises() {
+    let energy = |lines: &str| {
+        let text = format!("[[method]]\nname = \"a\"\nbasis = \"gt\"\nsearch = true\n{lines}\n");
+        methods(&text)[0].search_energy
+    };
+    assert_eq!(energy("energy = \"bending\""), Energy::Bending);
+    assert_eq!(energy("energy = \"bending\"\nsearch-energy = \"area\""), Energy::Area);
+    assert_eq!(energy("construction = \"harmonic\""), Energy::Laplacian);
+    assert_eq!(energy("mask = 0.1\nsearch-energy = \"coons\""), Energy::Coons);
+}
+
+#[test]
+fn tb_coons_needs_no_basis() {
+    let text = "[[method]]\nname = \"a\"\npatch = \"tb-coons\"\nenergy = \"dirichlet\"\nsearch = \"polish\"\nraise = 2\n";
+    let method = &methods(text)[0];
+    assert_eq!((method.patch, method.basis, method.raise), (Patch::TbCoons, Basis::Gt, 2));
+}
+
+#[test]
+fn solvers_and_the_local_variant() {
+    let text = "[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\nsolver = \"separable\"\n\
+                [[method]]\nname = \"b\"\nmask = 0.1\nsolver = \"sparse\"\n\
+                [search]\nvariant = \"local\"\nneighbours = 3\nbox = [0, 4]\n";
+    let plan = plan(&format!("{NET}{text}"));
+    let patches = patches(&plan);
+    assert_eq!(patches.methods[0].solver, SolverChoice::Separable);
+    assert_eq!(patches.methods[1].solver, SolverChoice::Sparse);
+    assert_eq!(patches.search.variant, Variant::Local { neighbours: 3 });
+    assert_eq!((patches.search.lower, patches.search.upper), (0.0, 4.0));
+}
+
+#[test]
+fn harmonic_nets_from_two_sides() {
+    let rows = r#"
+        title = "Rows"
+        [boundary]
+        u0 = [[0,0,0],[1,0,1],[2,0,0]]
+        u1 = [[0,1,0],[1,1,1],[2,1,0]]
+        u-degree = 4
+        [[method]]
+        name = "harmonic"
+        construction = "harmonic"
+    "#;
+    let plan_of_rows = plan(rows);
+    assert!(matches!(patches(&plan_of_rows).boundary, Boundary::Rows { degree: 4, .. }));
+    assert_eq!(patches(&plan_of_rows).boundary.degrees(), (4, 2));
+    let columns = plan(&rows.replace("u0", "v0").replace("u1", "v1").replace("u-degree", "v-degree"));
+    assert!(matches!(patches(&columns).boundary, Boundary::Columns { degree: 4, .. }));
+    assert_eq!(patches(&columns).boundary.degrees(), (2, 4));
+    let method = "[[method]]\nname = \"a\"\nconstruction = \"harmonic\"\n";
+    let all_four = plan(&format!("{}{method}", NET.replace("[boundary]", "[boundary]\nu-degree = 3")));
+    assert!(matches!(patches(&all_four).boundary, Boundary::Tensor { .. }));
+}
+
+#[test]
+fn triangles() {
+    let text = r#"
+        title = "Triangle"
+        [boundary]
+        ab = [[1,0,0],[0.5,0.5,0],[0,1,0]]
+        bc = [[0,1,0],[0,0.5,0.5],[0,0,1]]
+        ca = [[0,0,1],[0.5,0,0.5],[1,0,0]]
+        [[method]]
+        name = "mask"
+        mask = "coons"
+        raise = 1
+        [[method]]
+        name = "Dirichlet mask"
+        mask = "dirichlet"
+        [[method]]
+        name = "ninth"
+        mask = 0.1111111111111111
+    "#;
+    let plan = plan(text);
+    let patches = patches(&plan);
+    assert!(matches!(patches.boundary, Boundary::Triangle { .. }));
+    assert_eq!(patches.boundary.degrees(), (2, 2));
+    let masks: Vec<Interior> = patches.methods.iter().map(|method| method.interior).collect();
+    assert_eq!(masks, [Mask::Coons, Mask::Dirichlet, Mask::Alpha(1.0 / 9.0)].map(Interior::Mask));
+    assert!(patches.methods.iter().all(|m| (m.patch, m.shape) == (Patch::Triangle, Shape::None)));
+}
+
+#[test]
+fn helicoids() {
+    let text = r#"
+        title = "Helicoid"
+        [helicoid]                 # exact, AHT x AHT
+        a = 1.0
+        b = 2.0
+        u-span = 1.5
+        v-span = 6.0
+        frames = 11                # optional: the deformation from (a,b) = (1,0) to (0,1)
+        path = "trigonometric"     # or "linear"
+    "#;
+    let helicoid = |text: &str| match plan(text).experiment {
+        Experiment::Helicoid(helicoid) => helicoid,
+        other => panic!("{other:?}"),
+    };
+    let found = helicoid(text);
+    assert_eq!((found.a, found.b, found.u_span, found.v_span), (1.0, 2.0, 1.5, 6.0));
+    let path = DeformationPath::Trigonometric;
+    assert_eq!(found.deformation, Some(Deformation { frames: 11, path }));
+    let linear = helicoid(&text.replace("\"trigonometric\"", "\"linear\""));
+    assert_eq!(linear.deformation.map(|d| d.path), Some(DeformationPath::Linear));
+    let outer = helicoid(&text.replace("path = \"trigonometric\"", "path-degree = 3\npath = \"bernstein\""));
+    assert_eq!(outer.deformation.map(|d| d.path), Some(DeformationPath::Bernstein { degree: 3 }));
+    let long = helicoid(&text.replace("frames", "# ").replace("path", "# ").replace("6.0", "12"));
+    assert_eq!((long.v_span, long.deformation), (12.0, None));
+}
+
+#[test]
+fn a_helicoid_over_a_trapezium() {
+    let text = "title = \"T\"\n[trapezium-helicoid]   # exact, AT x degree 1\nspan = 3.9\ngamma = [6.2, 12.5]\nbeta = [1.0, 0.5]\n";
+    let Experiment::TrapeziumHelicoid(found) = plan(text).experiment else { panic!() };
+    assert_eq!((found.span, found.gamma, found.beta), (3.9, [6.2, 12.5], [1.0, 0.5]));
+    // Beyond 2π it is cut into several patches.
+    assert!(matches!(plan(&text.replace("3.9", "12")).experiment, Experiment::TrapeziumHelicoid(_)));
+}
+
+#[test]
+fn curves() {
+    let text = r#"
+        title = "Curve"
+        [curve]
+        basis = "gt"               # "bernstein" | "gt" | "aht" | "at"
+        shape = [1.0, 2.0]         # gt
+        points = [[0,0],[1,2],[3,2],[4,0]]
+        samples = [0.0, 0.25, 1.0] # parameters in the basis' domain, or a count
+    "#;
+    let curve = |text: &str| match plan(text).experiment {
+        Experiment::Curve(curve) => curve,
+        other => panic!("{other:?}"),
+    };
+    let found = curve(text);
+    assert_eq!(found.basis, CurveBasis::Gt { shape: [1.0, 2.0] });
+    assert_eq!((found.points[1], found.points.len(), found.dimension), ([1.0, 2.0, 0.0], 4, 2));
+    assert_eq!(found.samples, [0.0, 0.25, 1.0]);
+
+    let aht = curve(
+        "title = \"x\"\n[curve]\nbasis = \"aht\"\nspan = 1.5\nsamples = 4\n\
+         points = [[0,0,0],[1,2,0],[3,2,1],[4,0,0],[5,0,0],[6,1,0]]\n",
+    );
+    assert_eq!((aht.basis, aht.dimension), (CurveBasis::Aht { span: 1.5 }, 3));
+    assert_eq!(aht.samples, [0.0, 0.5, 1.0, 1.5]);
+    let at = curve(
+        "title = \"x\"\n[curve]\nbasis = \"at\"\nspan = 6.25\n\
+         points = [[0,0],[1,2],[3,2],[4,0],[5,0],[6,1]]\n",
+    );
+    assert_eq!((at.basis, at.samples.len()), (CurveBasis::At { span: 6.25 }, 101));
+    assert_eq!((at.samples[0], at.samples[100]), (0.0, 6.25));
+}
+
+#[test]
+fn expected_numbers_keep_their_digits() {
+    let text = format!(
+        "{NET}[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\nsearch = true\n\
+         [method.expect]\ndirichlet = 37.4396\narea = 36.8\nshape = 0.8706\nbending = 100\n\
+         search-minimum = {{ value = 37.44, tolerance = 1e-3 }}\nresidual = 1.5e-3\n\
+         mean-curvature-max = 0.000\n"
+    );
+    let plan = plan(&text);
+    let expect = &plan.wanted[0].expect;
+    let of =
+        |quantity| expect.iter().find(|e| e.quantity == quantity).unwrap_or_else(|| panic!("no {quantity}"));
+    let dirichlet = of(Quantity::Dirichlet);
+    assert_eq!((dirichlet.value, dirichlet.tolerance, dirichlet.line), (37.4396, 0.00005, 15));
+    assert_eq!(dirichlet.text, "37.4396");
+    assert!(dirichlet.is_met_by(37.439_561_2) && dirichlet.is_met_by(37.439_55));
+    assert!(!dirichlet.is_met_by(37.439_54) && !dirichlet.is_met_by(37.4397));
+    assert!(!dirichlet.is_met_by(f64::NAN) && !dirichlet.is_met_by(f64::INFINITY));
+    assert_eq!(of(Quantity::Area).tolerance, 0.05);
+    assert_eq!(of(Quantity::Bending).tolerance, 0.5);
+    assert_eq!(of(Quantity::Residual).tolerance, 0.00005);
+    assert_eq!(of(Quantity::MeanCurvatureMax).tolerance, 0.0005);
+    let minimum = of(Quantity::SearchMinimum);
+    assert_eq!((minimum.value, minimum.tolerance, minimum.text.as_str()), (37.44, 1e-3, "37.44"));
+    for k in 0..4 {
+        assert_eq!(of(Quantity::Shape(k)).value, 0.8706);
+    }
+    assert_eq!(expect.len(), 10);
+}
+
+#[test]
+fn expected_lists_go_number_by_number() {
+    let text = format!(
+        "{NET}[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\nsearch = true\n\
+         expect.shape = [0.9, 0.91, 0.9, 1]\n"
+    );
+    let plan = plan(&text);
+    let shape: Vec<(Quantity, f64, f64)> =
+        plan.wanted[0].expect.iter().map(|e| (e.quantity, e.value, e.tolerance)).collect();
+    assert_eq!(
+        shape,
+        [
+            (Quantity::Shape(0), 0.9, 0.05),
+            (Quantity::Shape(1), 0.91, 0.005),
+            (Quantity::Shape(2), 0.9, 0.05),
+            (Quantity::Shape(3), 1.0, 0.5)
+        ]
+    );
+    let curve = "title = \"x\"\n[curve]\nbasis = \"bernstein\"\npoints = [[0,0],[1,0]]\nsamples = 2\n[expect]\ncurvature = 0.00\n";
+    let wanted = Plan::parse("c.toml", curve).unwrap_or_else(|r| panic!("{r}")).wanted;
+    assert_eq!((wanted.len(), wanted[0].expect.len()), (1, 2));
+    assert_eq!(wanted[0].expect[1].quantity.to_string(), "curvature[1]");
+}
+
+#[test]
+fn published_numbers_one_or_several() {
+    let one = "[method.published]\nsource = \"GT Table 1\"\nquantity = \"dirichlet\"\nheading = \"Area\"\nprinted = 38.0000\nreason = \"copied\"\n";
+    let several = format!("{}{}", one, one.replace("dirichlet", "shape").replace("38.0000", "0.8706"))
+        .replace("[method.published]", "[[method.published]]");
+    let method = "[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n";
+    let found = &plan(&format!("{NET}{method}{one}")).wanted[0].published;
+    assert_eq!(found.len(), 1);
+    assert_eq!((found[0].printed, found[0].text.as_str(), found[0].tolerance), (38.0, "38.0000", 0.00005));
+    assert_eq!((found[0].source.as_str(), found[0].quantity), ("GT Table 1", Quantity::Dirichlet));
+    assert_eq!((found[0].heading.as_deref(), found[0].reason.as_deref()), (Some("Area"), Some("copied")));
+    assert!(found[0].agrees_with(38.000_04) && !found[0].agrees_with(38.3538));
+    let found = &plan(&format!("{NET}{method}{several}")).wanted[0].published;
+    assert_eq!(found.len(), 2);
+    assert_eq!((found[1].quantity, found[1].printed), (Quantity::Shape(0), 0.8706));
+}
+
+#[test]
+fn output_formats_in_the_order_of_the_file() {
+    let text = format!(
+        "{NET}[[method]]\nname = \"a\"\nenergy = \"area\"\n[output]\nmesh = 2000\npictures = false\nstep-tolerance = 1e-3\nformats = [\"step\", \"obj\", \"step\"]\n"
+    );
+    assert_eq!(
+        plan(&text).output,
+        Output {
+            mesh: 2000,
+            formats: vec![Format::Step, Format::Obj],
+            pictures: false,
+            step_tolerance: 1e-3
+        }
+    );
+}
+
+#[test]
+fn bilinear_nets_and_the_highest_degree_are_admitted() {
+    let side = |fixed: &str, length: usize, along_u: bool| {
+        let points: Vec<String> = (0..length)
+            .map(|k| {
+                let t = k as f64 / (length - 1) as f64;
+                if along_u { format!("[{t}, {fixed}, 0]") } else { format!("[{fixed}, {t}, 0]") }
+            })
+            .collect();
+        format!("[{}]", points.join(", "))
+    };
+    for (length, accepted) in [(2, true), (65, true), (66, false)] {
+        let text = format!(
+            "title = \"x\"\n[boundary]\nu0 = {}\nu1 = {}\nv0 = {}\nv1 = {}\n[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n",
+            side("0", length, false),
+            side("1", length, false),
+            side("0", length, true),
+            side("1", length, true),
+        );
+        assert_eq!(Plan::parse("n.toml", &text).is_ok(), accepted, "{length} points");
+    }
+}
+
+#[test]
+fn every_template_is_sound_and_explains_every_line() {
+    for template in Template::ALL {
+        let plan =
+            Plan::parse(template.name(), template.text()).unwrap_or_else(|refusal| panic!("{refusal}"));
+        assert_eq!(plan.stem, template.name());
+        assert!(template.text().lines().all(|line| line.chars().count() <= 120), "{}", template.name());
+        assert!(template.text().matches('#').count() >= 5, "{}", template.name());
+        assert!(template.text().ends_with('\n') && !template.summary().is_empty());
+    }
+}
+
+#[test]
+fn the_tensor_template_shows_every_key_of_its_tables() {
+    let text = Template::Tensor.text();
+    for key in [
+        "title",
+        "seed",
+        "u0",
+        "u1",
+        "v0",
+        "v1",
+        "name",
+        "basis",
+        "energy",
+        "search",
+        "shape",
+        "search-energy",
+        "raise",
+        "metric-steps",
+        "solver",
+        "tolerance",
+        "mask",
+        "construction",
+        "variant",
+        "particles",
+        "iterations",
+        "runs",
+        "inertia",
+        "social",
+        "cognitive",
+        "box",
+        "neighbours",
+        "mesh",
+        "formats",
+        "pictures",
+        "step-tolerance",
+        "source",
+        "quantity",
+        "heading",
+        "printed",
+        "reason",
+        "value",
+        "tolerance",
+    ] {
+        assert!(text.contains(&format!("{key} = ")), "{key}");
+    }
+}
+
+#[test]
+fn no_file_name_leads_out_of_the_folder_of_results() {
+    let text = format!("{NET}[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n");
+    let names = ["...toml", "..toml", "..", ".", "", "a/..", "a/...toml", "/"];
+    for name in names {
+        assert_eq!(Plan::parse(name, &text).unwrap().stem, "experiment", "{name}");
+    }
+    assert_eq!(Plan::parse("....toml", &text).unwrap().stem, "...");
+}

@@ -1,0 +1,93 @@
+//! Surfaces as files, whole or not at all.
+
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use exchange::{Colours, Format, Subject, SurfaceFile, SurfaceForm};
+use plateau::{Family, Surface};
+use show::by_mean_curvature;
+use surfaces::Mesh;
+use thiserror::Error;
+
+use crate::Destination;
+
+/// A result that could not be kept.
+#[derive(Debug, Error)]
+#[error("{}: {source}", path.display())]
+pub struct DeliverError {
+    /// The file that could not be written.
+    pub path: PathBuf,
+    /// Why.
+    pub source: io::Error,
+}
+
+/// Why a file was not written.
+#[derive(Debug, Error)]
+pub enum ExportError {
+    /// The format cannot hold this surface.
+    #[error("{}: not written: {reason}", path.display())]
+    Refused {
+        /// The file.
+        path: PathBuf,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// The file system.
+    #[error(transparent)]
+    Failed(#[from] DeliverError),
+}
+
+/// A surface with its name, what it is made of, and its mesh.
+#[derive(Clone, Copy)]
+pub(crate) struct Named<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) surface: &'a Surface,
+    pub(crate) family: Family,
+    pub(crate) mesh: &'a Mesh,
+}
+
+/// Writes one file. `tolerance` is a share of the size and bounds the distance of a fitted surface from
+/// the patch. For formats that hold the surface by a formula, what they hold.
+///
+/// # Errors
+/// [`ExportError::Refused`] if the format cannot hold the surface, within the tolerance; else what the file system says.
+pub(crate) fn write(
+    format: Format,
+    named: Named<'_>,
+    tolerance: f64,
+    to: &Destination,
+) -> Result<Option<SurfaceForm>, ExportError> {
+    encode(format, named, tolerance, to.path(), &|fill| to.write(fill))
+}
+
+/// As [`write`], but nothing is written: what the file would hold.
+pub(crate) fn rehearse(
+    format: Format,
+    named: Named<'_>,
+    tolerance: f64,
+) -> Result<Option<SurfaceForm>, ExportError> {
+    encode(format, named, tolerance, Path::new(""), &|fill| fill(&mut io::sink()))
+}
+
+type Fill<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
+
+fn encode(
+    format: Format,
+    Named { name, surface, family, mesh }: Named<'_>,
+    tolerance: f64,
+    path: &Path,
+    place: &dyn Fn(Fill<'_>) -> io::Result<()>,
+) -> Result<Option<SurfaceForm>, ExportError> {
+    let refused = |reason: String| -> ExportError { ExportError::Refused { path: path.to_owned(), reason } };
+    let coloured = by_mean_curvature(mesh);
+    let colours = coloured.as_ref().map(|(of_vertices, full)| Colours { of_vertices, full: *full });
+    let subject = Subject { name, mesh, colours };
+    let file = SurfaceFile::new(format, subject, (surface, family), tolerance)
+        .map_err(|unfit| refused(unfit.to_string()))?;
+    place(&|out| file.write(out)).map_err(|source| match source.kind() {
+        // The writers say so of what their format cannot hold.
+        ErrorKind::InvalidData => refused(source.to_string()),
+        _ => DeliverError { path: path.to_owned(), source }.into(),
+    })?;
+    Ok(file.form())
+}

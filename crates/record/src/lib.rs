@@ -1,0 +1,33 @@
+//! What is kept of an experiment.
+//!
+//! [`deliver()`] writes `result.json` and the files for other programs into the folder of an experiment, a [`Checkpoint`] the
+//! runs of searches that have ended. [`StoredResult`] reads the surfaces of a result back, bit for bit; [`verify()`] computes
+//! a result again and compares, [`reproduce()`] sets the numbers of the papers beside ours.
+
+mod atomic;
+mod checkpoint;
+mod deliver;
+mod destination;
+mod earlier;
+mod export;
+mod file_name;
+mod folder;
+mod manifest;
+mod reproduce;
+mod result;
+mod result_reader;
+mod result_size;
+mod verification;
+
+pub use atomic::Claim;
+pub use checkpoint::{CHECKPOINT_FILE, Checkpoint, CheckpointError};
+pub use deliver::{Delivered, deliver, deliver_watched, prepare};
+pub use destination::Destination;
+pub use earlier::{Earlier, earlier};
+pub use export::{DeliverError, ExportError};
+pub use folder::{folder, folder_key};
+pub use manifest::{Manifest, Origin};
+pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};
+pub use result::{ResultFile, SCHEMA};
+pub use result_reader::{ReadError, StoredMethod, StoredResult};
+pub use verification::{Difference, Level, Verification, Verified, VerifyError, verify};

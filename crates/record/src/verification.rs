@@ -1,0 +1,224 @@
+//! A result computed again and compared.
+
+use std::path::Path;
+
+use serde::Serialize;
+use serde_json::Value;
+use thiserror::Error;
+
+use crate::export::{Named, rehearse};
+use crate::result_reader::{check_schema, contents, required};
+use crate::{ExportError, Manifest, Origin, ReadError, ResultFile};
+use experiment::{Finished, Options, Plan, Refusal, run};
+use plateau::{Arithmetic, MethodError, Progress};
+
+mod compare;
+
+use compare::{bits, figures};
+
+/// What came of computing a result again.
+#[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
+pub struct Verification {
+    /// The title of the experiment.
+    pub title: String,
+    /// How closely the two were compared.
+    #[serde(flatten)]
+    pub level: Level,
+    /// One entry per method, or one for the curve; and one for the record around them.
+    pub entries: Vec<Verified>,
+}
+
+/// How closely a result is compared with its repetition.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(tag = "level", rename_all = "kebab-case")]
+pub enum Level {
+    /// Every number and text of the record, bit for bit: program and processor are those that wrote it.
+    Bits,
+    /// The figures and nets, within [`Level::TOLERANCE`] of themselves; where a search or Newton steps led to them, only the
+    /// energy that was minimised is as well determined, everything else within [`Level::SEARCHED`].
+    Figures {
+        /// In what the program or the processor differs from the one that wrote the result.
+        because: Vec<&'static str>,
+    },
+}
+
+impl Level {
+    /// Relative, and a thousandth of it times the size of the net for numbers that are zero but for rounding.
+    pub const TOLERANCE: f64 = 1e-9;
+    /// The same for what is only as well determined as the place of a flat minimum: to the root of its energy's accuracy.
+    pub const SEARCHED: f64 = 1e-5;
+}
+
+/// One part of a result, compared.
+#[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
+pub struct Verified {
+    /// The name of the method, `curve` or `record`.
+    pub name: String,
+    /// How many numbers and texts were compared.
+    pub compared: usize,
+    /// Where the two differ, in the order of the record.
+    pub differences: Vec<Difference>,
+    /// Whether they differ bit for bit, but not as [`Level::Figures`] compares: another model of the processor may do that to
+    /// large systems.
+    pub differs_in_bits_only: bool,
+}
+
+/// A place where a result and its repetition differ.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct Difference {
+    /// The key, from the method, the curve or the root of the record.
+    pub key: String,
+    /// What the file says; none if it has no such key.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stored: Option<String>,
+    /// What was computed; none if there is no such key.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub computed: Option<String>,
+}
+
+/// Why a result cannot be computed again.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum VerifyError {
+    /// It is not a result, or an early one that does not hold its experiment.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// This program does not take its experiment.
+    #[error("the experiment in it is refused by this version:\n{}", .0.render(false))]
+    Refused(Box<Refusal>),
+    /// The curve of a curve experiment, of which every result has one.
+    #[error("the experiment in it cannot be computed: {0}")]
+    Failed(#[from] MethodError),
+    /// The caller wanted no more.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+impl Verification {
+    /// Whether the two agree as closely as they were compared.
+    pub fn agrees(&self) -> bool {
+        self.entries.iter().all(|entry| entry.differences.is_empty())
+    }
+}
+
+/// Runs the experiment of a `result.json` again, with its seed and arithmetic, and compares.
+///
+/// # Errors
+/// [`VerifyError`], if there is nothing to compare; a difference is none.
+pub fn verify(path: &Path, progress: &dyn Progress) -> Result<Verification, VerifyError> {
+    let json = |source| ReadError::Json { place: String::new(), source };
+    let mut stored: Value = serde_json::from_slice(&contents(path)?).map_err(json)?;
+    check_schema(stored.get("schema").and_then(Value::as_str).map(str::to_owned))?;
+    let manifest = required(stored.get_mut("manifest").map(Value::take), "manifest")?;
+    let manifest: Manifest = serde_json::from_value(manifest)
+        .map_err(|source| ReadError::Json { place: "`manifest`: ".into(), source })?;
+    let plan = Plan::parse(&manifest.file, &manifest.experiment)
+        .map_err(|refusal| VerifyError::Refused(Box::new(refusal)))?;
+    let because = manifest.origin.differences(&Origin::here());
+    let options = Options { seed: Some(manifest.seed), arithmetic: arithmetic(&manifest) };
+    let finished = run(&plan, options, progress)?;
+    if progress.cancelled() {
+        return Err(VerifyError::Interrupted);
+    }
+    let computed = serde_json::to_value(record(&plan, &finished, stored.get("unwritten"))).map_err(json)?;
+    let level = if because.is_empty() { Level::Bits } else { Level::Figures { because } };
+    let mut entries = entries(&mut stored, computed, &level);
+    if !manifest.is_intact() {
+        let difference = Difference {
+            key: "manifest.sha256".into(),
+            stored: Some(manifest.sha256.clone()),
+            computed: Some(Manifest::new(&plan, options).sha256),
+        };
+        let (name, differences) = ("manifest".into(), vec![difference]);
+        entries.push(Verified { name, compared: 1, differences, differs_in_bits_only: false });
+    }
+    Ok(Verification { title: plan.title.clone(), level, entries })
+}
+
+/// The arithmetic of the result; where this processor does not have it, the one it has.
+fn arithmetic(manifest: &Manifest) -> Arithmetic {
+    let lacks_fma = !Origin::here().cpu_features.iter().any(|feature| feature == "fma");
+    if manifest.arithmetic == Arithmetic::Fma && lacks_fma { Arithmetic::Auto } else { manifest.arithmetic }
+}
+
+/// The record as it would be delivered without the files that `unwritten` names, nothing written.
+fn record(plan: &Plan, finished: &Finished, unwritten: Option<&Value>) -> ResultFile {
+    let unwritten = unwritten.and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+    let mut record = ResultFile::new(plan, finished);
+    let names =
+        crate::file_name::file_names(finished.results.methods.iter().map(|method| method.name.as_str()));
+    for (k, (method, name)) in finished.results.methods.iter().zip(&names).enumerate() {
+        let Ok(done) = &method.outcome else { continue };
+        for &format in &plan.output.formats {
+            let (surface, family) = (&done.solved.surface, done.solved.family);
+            let named = Named { name: &method.name, surface, family, mesh: &done.mesh };
+            let file = format!("{name}.{}", format.name());
+            if unwritten.iter().any(|name| name.as_str() == Some(&file)) {
+                continue;
+            }
+            match rehearse(format, named, plan.output.step_tolerance) {
+                Ok(form) => record.add_file(Some(k), file, form),
+                Err(ExportError::Refused { .. } | ExportError::Failed(_)) => record.add_unwritten(&file),
+            }
+        }
+    }
+    record
+}
+
+/// Both records taken apart and compared.
+fn entries(stored: &mut Value, mut computed: Value, level: &Level) -> Vec<Verified> {
+    let mut entries = Vec::new();
+    let [theirs, ours] = [&mut *stored, &mut computed].map(|record| {
+        let methods = record.get_mut("methods").map(Value::take);
+        methods.and_then(|methods| match methods {
+            Value::Array(methods) => Some(methods),
+            _ => None,
+        })
+    });
+    let (theirs, ours) = (theirs.unwrap_or_default(), ours.unwrap_or_default());
+    for k in 0..theirs.len().max(ours.len()) {
+        let [theirs, ours] = [&theirs, &ours].map(|methods| methods.get(k).unwrap_or(&Value::Null));
+        let name = |method: &Value| method.get("name").and_then(Value::as_str).map(str::to_owned);
+        let name = name(ours).or(name(theirs)).unwrap_or_else(|| format!("methods[{k}]"));
+        entries.push(compared(name, theirs, ours, level, figures));
+    }
+    let [theirs, ours] = [&mut *stored, &mut computed].map(|r| r.get_mut("curve").map(Value::take));
+    if theirs.is_some() || ours.is_some() {
+        let [theirs, ours] = [theirs, ours].map(Option::unwrap_or_default);
+        entries.push(compared("curve".into(), &theirs, &ours, level, compare::curve));
+    }
+    for record in [&mut *stored, &mut computed] {
+        if let Some(record) = record.as_object_mut() {
+            // The manifest has been used up; what was written and what could not be says nothing of the numbers.
+            record.retain(|key, _| {
+                !["manifest", "methods", "curve", "files", "unwritten"].contains(&key.as_str())
+            });
+            if *level != Level::Bits {
+                record.retain(|key, _| ["title", "seed"].contains(&key.as_str()));
+            }
+        }
+    }
+    entries.push(bits(stored, &computed).named("record".into(), false));
+    entries
+}
+
+/// One entry on the level asked for; where bits differ, whether the figures do, too.
+fn compared(
+    name: String,
+    stored: &Value,
+    computed: &Value,
+    level: &Level,
+    figures: fn(&Value, &Value) -> compare::Comparison,
+) -> Verified {
+    match level {
+        Level::Figures { .. } => figures(stored, computed).named(name, false),
+        Level::Bits => {
+            let bits = bits(stored, computed);
+            let only = !bits.agrees() && figures(stored, computed).agrees();
+            bits.named(name, only)
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! A figure is the same in the table, on the page and in the record, for every figure of every fixture.
+
+use std::fs;
+use std::path::Path;
+
+use experiment::{Options, Plan, run};
+use record::deliver;
+use serde_json::Value;
+use show::table;
+
+/// The cells of a row of the terminal's table, cut where the rule below the headings has its gaps.
+fn cells(line: &str, rule: &str) -> Vec<String> {
+    let (line, rule): (Vec<char>, Vec<char>) = (line.chars().collect(), rule.chars().collect());
+    let starts: Vec<usize> =
+        (0..rule.len()).filter(|&k| rule[k] == '─' && (k == 0 || rule[k - 1] != '─')).collect();
+    let end = |k: usize| starts.get(k + 1).copied().unwrap_or(usize::MAX);
+    let cell =
+        |k: usize| line.iter().skip(starts[k]).take(end(k) - starts[k]).collect::<String>().trim().to_owned();
+    (0..starts.len()).map(cell).collect()
+}
+
+/// What stands between `<tag …>` and `</tag>`, with the attributes.
+fn elements<'a>(html: &'a str, tag: &str) -> Vec<(&'a str, &'a str)> {
+    let (open, close) = (format!("<{tag}"), format!("</{tag}>"));
+    let parts = html.split(open.as_str()).skip(1).filter_map(|part| part.split_once(close.as_str()));
+    parts.filter_map(|(element, _)| element.split_once('>')).collect()
+}
+
+/// The number of a cell and half a unit of its last digit.
+fn read(cell: &str) -> Option<(f64, f64)> {
+    let (text, factor) = cell.strip_suffix(" %").map_or((cell, 1.0), |text| (text, 0.01));
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let unit = factor * 10f64.powi(exponent.parse::<i32>().ok()? - decimals as i32);
+    Some((factor * text.parse::<f64>().ok()?, 0.500_001 * unit))
+}
+
+/// Runs an experiment and compares; how many figures were compared.
+fn compare(file: &str, text: &str) -> usize {
+    let plan = Plan::parse(file, text).unwrap_or_else(|refusal| panic!("{refusal}"));
+    let finished = run(&plan, Options::default(), &()).unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let folder = deliver(&plan, &finished, out.path()).unwrap().folder;
+    let contents = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    let (record, page): (Value, String) =
+        (serde_json::from_str(&contents("result.json")).unwrap(), contents("report.html"));
+    let Some(methods) = record["methods"].as_array().filter(|methods| !methods.is_empty()) else { return 0 };
+    let terminal = table(&finished.results);
+    let lines: Vec<&str> = terminal.lines().collect();
+    let rule = lines.iter().position(|line| line.starts_with('─')).expect("a rule");
+    let headings = cells(lines[rule - 2], lines[rule]);
+    let on_page = elements(&page, "thead")[0].1;
+    let keys: Vec<&str> = elements(on_page, "th")
+        .iter()
+        .map(|(tag, _)| tag.split("data-figure=\"").nth(1).map_or("", |k| k.trim_end_matches('"')))
+        .collect();
+    let names: Vec<&str> = elements(on_page, "th")
+        .iter()
+        .map(|(_, heading)| heading.split('<').next().unwrap_or(heading))
+        .collect();
+    let rows = elements(elements(&page, "tbody")[0].1, "tr");
+    let mut compared = 0;
+    for (k, method) in methods.iter().enumerate() {
+        let row: Vec<&str> = elements(rows[k].1, "td").iter().map(|(_, cell)| *cell).collect();
+        if method.get("error").is_some() {
+            assert!(row[1].starts_with("failed: "), "{file}");
+            continue;
+        }
+        for (heading, cell) in headings.iter().zip(cells(lines[rule + 1 + k], lines[rule])).skip(1) {
+            let at =
+                names.iter().position(|name| name == heading).unwrap_or_else(|| panic!("{file}: {heading}"));
+            assert_eq!(row[at], cell, "{file}: {heading} of {}", method["name"]);
+        }
+        let size = method["dirichlet"].as_f64().unwrap().sqrt();
+        for (key, cell) in keys.iter().zip(row).filter(|(key, _)| !key.is_empty()) {
+            let recorded =
+                key.split('.').try_fold(method, |value, part| value.get(part)).and_then(Value::as_f64);
+            let Some((shown, half)) = read(cell) else {
+                assert_eq!(recorded, None, "{file}: {key} is {cell:?}");
+                continue;
+            };
+            let recorded =
+                recorded.unwrap_or_else(|| panic!("{file}: {key} is shown as {cell} and not recorded"));
+            // What is written 0 is rounding of a length or a curvature beside those of a patch of this size.
+            let rounding = match *key {
+                "boundary_deviation" if shown == 0.0 => 1e-12 * size,
+                "mean_curvature.max_abs" | "mean_curvature.rms" if shown == 0.0 => 1e-6 / size,
+                _ => half,
+            };
+            assert!((recorded - shown).abs() <= rounding, "{file}: {key} is {recorded}, shown {cell}");
+            compared += 1;
+        }
+    }
+    compared
+}
+
+#[test]
+fn every_figure_of_every_fixture_is_shown_as_it_is_recorded() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let mut compared = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            compared += compare(&name, &fs::read_to_string(&path).unwrap());
+        }
+    }
+    assert!(compared > 500, "{compared}");
+}
+
+#[test]
+fn figures_are_shown_as_recorded_in_any_unit() {
+    for unit in ["1e-20", "1e-9", "1e12"] {
+        let point = |x: &str| {
+            x.replace('2', &format!("2{}", &unit[1..]))
+                .replace('4', &format!("4{}", &unit[1..]))
+                .replace('6', &format!("6{}", &unit[1..]))
+        };
+        let side = |points: &[&str]| {
+            format!("[{}]", points.iter().map(|p| format!("[{}]", point(p))).collect::<Vec<_>>().join(","))
+        };
+        let text = format!(
+            "title = \"{unit}\"\n[boundary]\nu0 = {}\nu1 = {}\nv0 = {}\nv1 = {}\n\
+             [[method]]\nname = \"GT\"\nbasis = \"gt\"\nshape = [1, 2, 3, 0.5]\nenergy = \"dirichlet\"\n\
+             [[method]]\nname = \"Bernstein\"\nenergy = \"dirichlet\"\n",
+            side(&["0,0,0", "2,0,2", "4,0,-2", "6,0,0"]),
+            side(&["0,6,0", "2,6,2", "4,6,-2", "6,6,0"]),
+            side(&["0,0,0", "0,2,2", "0,4,-2", "0,6,0"]),
+            side(&["6,0,0", "6,2,2", "6,4,-2", "6,6,0"]),
+        );
+        assert!(compare("unit.toml", &text) > 15, "{unit}");
+    }
+}

@@ -1,0 +1,109 @@
+//! The surfaces as the viewer of the report reads them.
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+use serde_json::{Value, json};
+
+use crate::colour;
+use crate::number::{Form, number};
+use crate::scene::{Field, LARGEST_NET, Scene, Shown};
+use crate::table::standing::{Standing, standings};
+use plateau::Done;
+
+/// Nets of a higher degree hide their surface and are shown when asked for.
+const MOST_DEGREE: usize = 3;
+
+/// The data of the viewer as JSON that may stand inside a script element. Points are in the frame of the scene, values in
+/// units of the full scale of their field, NaN where there is none; both little-endian `f32` in base64.
+pub(super) fn json(scene: Option<&Scene<'_>>) -> String {
+    let value = scene.map_or(Value::Null, scene_value);
+    // No text can then end the element, whatever names are in it.
+    value.to_string().replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
+}
+
+fn scene_value(scene: &Scene<'_>) -> Value {
+    let fields: Vec<(Field, f64)> =
+        Field::ALL.into_iter().filter_map(|field| Some((field, scene.full_scale(field)?))).collect();
+    let described: Vec<Value> = fields
+        .iter()
+        .map(|&(field, full)| {
+            json!({
+                "symbol": field.symbol(),
+                "name": field.name(),
+                "label": match field {
+                    Field::Mean | Field::Gauss | Field::Laplacian => field.symbol(),
+                    Field::Conformality => "conformality",
+                },
+                "unit": field.unit(),
+                "signed": field.is_signed(),
+                "full": full,
+                "largest": scene.largest(field),
+            })
+        })
+        .collect();
+    let scale = |colour: &dyn Fn(f64) -> [u8; 3]| {
+        let colours: Vec<u8> = (0..=255u8).flat_map(|k| colour(f64::from(k) / 255.0)).collect();
+        BASE64_STANDARD.encode(colours)
+    };
+    json!({
+        "fields": described,
+        "scales": [scale(&|t| colour::diverging(2.0 * t - 1.0)), scale(&colour::sequential)],
+        "none": colour::NONE,
+        "deformation": is_deformation(scene),
+        "best": best(scene),
+        "radius": scene.radius,
+        "home": { "turn": scene.direction.azimuth, "tilt": scene.direction.elevation },
+        "surfaces": scene.surfaces.iter().map(|shown| surface(scene, shown, &fields)).collect::<Vec<_>>(),
+    })
+}
+
+/// Whether the surfaces are the frames of a deformation, to be played one after the other.
+fn is_deformation(scene: &Scene<'_>) -> bool {
+    let weighted = |shown: &Shown<'_>| shown.done.closed_form.is_some_and(|form| form.weights.is_some());
+    scene.surfaces.len() > 1 && scene.surfaces.iter().all(weighted)
+}
+
+/// The surface to begin with: the one of least area, if they can be compared.
+fn best(scene: &Scene<'_>) -> usize {
+    let rows: Vec<Option<&Done>> = scene.surfaces.iter().map(|shown| Some(shown.done)).collect();
+    standings(&rows).iter().position(|standing| *standing == Standing::Best).unwrap_or(0)
+}
+
+fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Value {
+    let points = |points: &[surfaces::Point]| {
+        let local = points.iter().map(|&p| <[f64; 3]>::from(scene.local(p)));
+        floats(local.flat_map(|p| p.map(|x| x as f32)))
+    };
+    let values: Vec<String> = fields
+        .iter()
+        .map(|&(field, full)| {
+            let values = shown.sample.values(field).iter();
+            floats(values.map(|value| value.map_or(f32::NAN, |x| (x / full) as f32)))
+        })
+        .collect();
+    let net = &shown.net;
+    let edges: Vec<u8> = net.edges.iter().flatten().flat_map(|&k| (k as u16).to_le_bytes()).collect();
+    let figures = &shown.done.figures;
+    let mut caption = format!("area {} length²", Form::Digits(9).of(figures.area.value));
+    if let Some(largest) = figures.mean_curvature_max {
+        caption += &format!(", max |H| {} 1/length", number(largest));
+    }
+    json!({
+        "name": shown.name,
+        "caption": caption,
+        "steps": shown.sample.steps,
+        "triangle": shown.sample.domain == surfaces::Domain::Triangle,
+        "points": points(&shown.sample.points),
+        "values": values,
+        "net": {
+            "large": shown.net_size() > LARGEST_NET,
+            "many": net.degree > MOST_DEGREE,
+            "points": points(&net.points),
+            "boundary": net.on_boundary.iter().map(|&b| u8::from(b)).collect::<Vec<_>>(),
+            "edges": BASE64_STANDARD.encode(edges),
+        },
+    })
+}
+
+fn floats(values: impl Iterator<Item = f32>) -> String {
+    BASE64_STANDARD.encode(values.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
+}

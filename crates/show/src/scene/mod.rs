@@ -1,0 +1,163 @@
+//! The surfaces of an experiment as pictures and the report show them: sampled once, in one frame, on one scale.
+
+mod camera;
+mod control_net;
+mod field;
+mod sample;
+
+use surfaces::Point;
+
+pub(crate) use camera::Direction;
+pub(crate) use control_net::ControlNet;
+pub(crate) use field::Field;
+pub(crate) use sample::Sample;
+
+use crate::colour;
+use plateau::{Done, Results};
+
+/// Most surfaces that are shown; of more, the first and then evenly chosen ones.
+const MOST: usize = 24;
+
+/// Vertices of all surfaces together: bounds the size of the report.
+const VERTICES: usize = 14_000;
+
+/// Control nets larger than this many times their surface are not drawn at first: they would dwarf it.
+pub(crate) const LARGEST_NET: f64 = 2.5;
+
+/// The size of a surface in units of its distance from the origin below which it is rounding.
+const POINT: f64 = 1e-13;
+
+/// |H| and √|K| times the size of the surface below which they are rounding.
+const FLAT: f64 = 1e-9;
+
+/// The surfaces of a finished experiment.
+pub struct Scene<'a> {
+    /// The surfaces shown, in the order of the file.
+    pub(crate) surfaces: Vec<Shown<'a>>,
+    /// How many more the experiment has.
+    pub(crate) left_out: usize,
+    /// The middle of the box around all surfaces.
+    pub(crate) centre: Point,
+    /// Half the diagonal of that box; positive.
+    pub(crate) radius: f64,
+    /// Whence the surfaces are seen.
+    pub(crate) direction: Direction,
+}
+
+/// One surface.
+pub(crate) struct Shown<'a> {
+    /// The name of its row.
+    pub(crate) name: &'a str,
+    /// Everything known of it.
+    pub(crate) done: &'a Done,
+    /// Its shape and fields.
+    pub(crate) sample: Sample,
+    /// Its control points.
+    pub(crate) net: ControlNet,
+}
+
+impl Shown<'_> {
+    /// How many times longer the diagonal of the box around the control net is than that around the surface; 0 for surfaces
+    /// without extent.
+    pub(crate) fn net_size(&self) -> f64 {
+        let diagonal =
+            |points: &[Point]| corners(points.iter()).map_or(0.0, |[low, high]| low.distance(high));
+        let surface = diagonal(&self.sample.points);
+        if surface > 0.0 { diagonal(&self.net.points) / surface } else { 0.0 }
+    }
+}
+
+/// The least and the greatest corner of the box around points.
+fn corners<'p>(points: impl Iterator<Item = &'p Point>) -> Option<[Point; 2]> {
+    points.fold(None, |box_so_far: Option<[Point; 2]>, &p| {
+        let [low, high] = box_so_far.unwrap_or([p, p]);
+        Some([
+            Point::new(low.x.min(p.x), low.y.min(p.y), low.z.min(p.z)),
+            Point::new(high.x.max(p.x), high.y.max(p.y), high.z.max(p.z)),
+        ])
+    })
+}
+
+impl<'a> Scene<'a> {
+    /// The scene of an experiment; none if it has no surface with finite points.
+    pub fn of(results: &'a Results) -> Option<Self> {
+        let done: Vec<(&str, &Done)> = results
+            .methods
+            .iter()
+            .filter_map(|method| Some((method.name.as_str(), method.outcome.as_deref().ok()?)))
+            .collect();
+        // The first is apart: beside a deformation it is the helicoid asked for.
+        let rest = spread(done.len().saturating_sub(1), MOST - 1).into_iter().map(|k| k + 1);
+        let chosen: Vec<usize> = (0..done.len().min(1)).chain(rest).collect();
+        let budget = VERTICES / chosen.len().max(1);
+        let surfaces: Vec<Shown<'_>> = chosen
+            .iter()
+            .map(|&k| {
+                let (name, done) = done[k];
+                let surface = &done.solved.surface;
+                let sample = Sample::of(surface, budget);
+                Shown { name, done, sample, net: ControlNet::of(surface) }
+            })
+            .filter(|shown| shown.sample.points.iter().all(|p| p.is_finite()))
+            .collect();
+        let [low, high] = corners(surfaces.iter().flat_map(|shown| &shown.sample.points))?;
+        let (diagonal, reach) = (low.distance(high), low.norm().max(high.norm()));
+        Some(Self {
+            left_out: done.len() - surfaces.len(),
+            direction: Direction::showing(surfaces.iter().map(|shown| &shown.sample)),
+            surfaces,
+            centre: (low + high) * 0.5,
+            radius: if diagonal > POINT * reach {
+                0.5 * diagonal
+            } else if reach > 0.0 {
+                // All in one point: its rounding is no shape to be shown large.
+                reach
+            } else {
+                1.0
+            },
+        })
+    }
+
+    /// The value at which the colours of `field` are full, the same for all surfaces: all but the largest
+    /// 2 % of the values lie within. None if nothing but rounding is there to see.
+    pub(crate) fn full_scale(&self, field: Field) -> Option<f64> {
+        let values = self.surfaces.iter().flat_map(|s| s.sample.values(field)).flatten();
+        let rounding = field.rounding(FLAT) * self.radius.powi(field.length_exponent());
+        colour::full_scale(values.copied(), rounding)
+    }
+
+    /// The largest |value| of `field` over all surfaces.
+    pub(crate) fn largest(&self, field: Field) -> Option<f64> {
+        let values = self.surfaces.iter().flat_map(|s| s.sample.values(field));
+        values.flatten().map(|x| x.abs()).reduce(f64::max)
+    }
+
+    /// A point in the frame of the scene: surfaces lie within the unit ball.
+    pub(crate) fn local(&self, p: Point) -> Point {
+        (p - self.centre) * (1.0 / self.radius)
+    }
+}
+
+/// At most `most` ≥ 2 of the indices below `count`, evenly spread from the first to the last.
+pub(crate) fn spread(count: usize, most: usize) -> Vec<usize> {
+    if count <= most {
+        return (0..count).collect();
+    }
+    (0..most).map(|k| k * (count - 1) / (most - 1)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn chosen_surfaces_are_distinct_and_keep_the_ends() {
+        for count in 0..200 {
+            let chosen = spread(count, 24);
+            assert!(chosen.is_sorted_by(|a, b| a < b), "{count}: {chosen:?}");
+            assert_eq!(chosen.len(), count.min(24));
+            assert!(chosen.first().is_none_or(|&k| k == 0));
+            assert!(chosen.last().is_none_or(|&k| k + 1 == count));
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! The tables of a curve experiment.
+
+use super::cells::Cells;
+use super::column::Column;
+use crate::number::Form;
+use plateau::CurveResult;
+
+const FIGURE: Form = Form::Decimals(7);
+
+/// Length and largest curvature of the curve.
+pub(crate) fn summary(curve: &CurveResult) -> Cells {
+    let columns = vec![
+        Column::words("curve", ""),
+        Column::number("samples", ""),
+        Column::number("length", "length"),
+        Column::number("± of length", "length"),
+        Column::number("largest |κ| of the samples", "1/length"),
+        Column::number("at t", ""),
+    ];
+    let (largest, at) = match curve.sharpest() {
+        Some((k, curvature)) => (FIGURE.of(curvature.abs()), curve.t[k].to_string()),
+        None => ("–".into(), "–".into()),
+    };
+    let [length, error] = curve.length;
+    let (name, samples) = (curve.name.clone(), curve.t.len().to_string());
+    Cells::new(columns, vec![vec![name, samples, FIGURE.of(length), Form::Order.of(error), largest, at]])
+}
+
+/// The first samples, at most `most`, with their points and curvatures.
+pub(crate) fn samples(curve: &CurveResult, most: usize) -> Cells {
+    let names = ["t", "x", "y", "z"];
+    let headings = names[..=curve.dimension].iter().copied().chain(["curvature κ"]);
+    let columns = headings.map(|heading| Column::number(heading, "")).collect();
+    let row = |k: usize| -> Vec<String> {
+        let point = curve.coordinates(curve.jets[k].point);
+        let curvature = curve.curvature[k].map_or("none".into(), |x| FIGURE.of(x));
+        let figures = point.into_iter().map(|x| FIGURE.of(x));
+        std::iter::once(curve.t[k].to_string()).chain(figures).chain([curvature]).collect()
+    };
+    Cells::new(columns, (0..curve.t.len().min(most)).map(row).collect())
+}

@@ -1,0 +1,14 @@
+//! What is said of a result in words and tables.
+
+pub(crate) mod cells;
+mod column;
+pub(crate) mod curve_table;
+pub(crate) mod figure;
+mod grid;
+mod patch_table;
+pub(crate) mod standing;
+
+pub use cells::Cells;
+pub use column::Column;
+pub use grid::grid;
+pub use patch_table::table;
