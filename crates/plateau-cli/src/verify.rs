@@ -106,6 +106,17 @@ fn report(path: &Path, verification: &Verification, stdout: &mut impl Write) -> 
             0 => writeln!(stdout, "  {name}  {word}, {values}")?,
             differing => writeln!(stdout, "  {name}  DIFFERS in {differing} of {values}")?,
         }
+        if entry.slides {
+            let only = if verification.level == Level::Bits {
+                ""
+            } else {
+                ": its area was compared, and what does not depend on them"
+            };
+            writeln!(
+                stdout,
+                "      its points are not determined, for the area is all but constant where they move{only}"
+            )?;
+        }
         for difference in entry.differences.iter().take(SHOWN) {
             let said = |value: &Option<String>| value.clone().unwrap_or_else(|| "nothing".into());
             let (stored, computed) = (said(&difference.stored), said(&difference.computed));

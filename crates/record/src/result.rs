@@ -1,6 +1,6 @@
 //! `result.json`, the record of an experiment for other programs.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use surfaces::{Net, TriangleNet};
 
 use crate::Manifest;
@@ -20,29 +20,29 @@ pub const SCHEMA: &str = "plateau-result/1";
 
 /// The whole file. Numbers are written with all their digits; keys without a meaning are left out, and no number
 /// that is not finite ever appears.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ResultFile {
-    schema: &'static str,
+    schema: String,
     title: String,
     seed: u64,
     methods: Vec<MethodEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<CurveEntry>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
     /// The numbers of the file that were not met.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     missed: Vec<MissedEntry>,
     /// Files beside the record that belong to no method.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     files: Vec<FileEntry>,
     /// Files that were asked for and are not there.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     unwritten: Vec<String>,
     manifest: Manifest,
 }
 
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct MissedEntry {
     method: String,
     quantity: String,
@@ -51,18 +51,18 @@ struct MissedEntry {
     found: Option<f64>,
 }
 
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 enum MethodEntry {
     Failed { name: String, error: String },
     Done(Box<DoneEntry>),
 }
 
-#[derive(Debug, Clone, Default, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct DoneEntry {
     name: String,
-    patch: &'static str,
-    basis: &'static str,
+    patch: String,
+    basis: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     dirichlet: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -79,6 +79,11 @@ struct DoneEntry {
     bending: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     bending_error: Option<f64>,
+    /// Energies that were minimised, beside those of every surface.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coons_functional: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    metric_dirichlet: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     conformality_gap: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -87,6 +92,9 @@ struct DoneEntry {
     shape: Option<[f64; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<NetEntry>,
+    /// The patches of a complex, instead of `net`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    faces: Option<Vec<FaceEntry>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     domain: Option<DomainEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -96,7 +104,7 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     deviation: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    solver: Option<&'static str>,
+    solver: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     residual: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -109,20 +117,37 @@ struct DoneEntry {
     area_extremal: Option<AreaEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     boundary_deviation: Option<f64>,
+    /// How far the rim of a complex lies from the curves that were given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rim_deviation: Option<f64>,
+    /// Angles between the tangent planes along the inner edges of a complex, in radians.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kink: Option<Kink>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    jacobian_ratio: Option<f64>,
+    /// What the area is above the least one, judged from a sequence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    area_estimate: Option<f64>,
+    /// What the least area is proved not to be below.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lower_bound: Option<f64>,
+    /// The area of the loops when each is spanned by itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spanned_one_by_one: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     harmonic_bound: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     harmonic_bound_error: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     search: Option<SearchEntry>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     files: Vec<FileEntry>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
 }
 
 /// A file written beside the record.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct FileEntry {
     file: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -132,20 +157,20 @@ struct FileEntry {
 }
 
 /// `net[i][j]` for rectangular nets, a list of points with their indices for triangular ones.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 enum NetEntry {
     Rows(Vec<Vec<[f64; 3]>>),
     Triangle(Vec<IndexedPoint>),
 }
 
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct IndexedPoint {
     index: [usize; 3],
     point: [f64; 3],
 }
 
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct MeanCurvature {
     #[serde(skip_serializing_if = "Option::is_none")]
     max_abs: Option<f64>,
@@ -153,8 +178,21 @@ struct MeanCurvature {
     rms: Option<f64>,
 }
 
+/// One patch of a complex: its vertices by name, in order round it, and its net.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct FaceEntry {
+    vertices: Vec<String>,
+    net: Vec<Vec<[f64; 3]>>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Kink {
+    max: f64,
+    rms: f64,
+}
+
 /// The way to the least area: where it began, how it ended, whether it is stable.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct AreaEntry {
     start_area: f64,
     gradient: f64,
@@ -165,17 +203,17 @@ struct AreaEntry {
     second_variation: Option<f64>,
 }
 
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct SearchEntry {
     evaluations: u64,
     nan_evaluations: u64,
-    engine: &'static str,
-    arithmetic: &'static str,
+    engine: String,
+    arithmetic: String,
     minimum: f64,
     runs: Vec<RunEntry>,
 }
 
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct RunEntry {
     seed: u64,
     run: usize,
@@ -188,11 +226,11 @@ struct RunEntry {
     polish: Option<PolishEntry>,
 }
 
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct PolishEntry {
     value: f64,
     kkt_residual: f64,
-    active_bounds: Vec<&'static str>,
+    active_bounds: Vec<String>,
     evaluations: usize,
     reason: String,
 }
@@ -203,7 +241,7 @@ impl ResultFile {
         let results = &finished.results;
         let methods = results.methods.iter().map(method_entry).collect();
         Self {
-            schema: SCHEMA,
+            schema: SCHEMA.to_owned(),
             title: results.title.clone(),
             seed: finished.seed,
             methods,
@@ -246,6 +284,18 @@ impl ResultFile {
         self.unwritten.push(file.to_owned());
     }
 
+    /// The record in the bytes of a `result.json` of this program: what was written, value for value.
+    ///
+    /// # Errors
+    /// [`ReadError`](crate::ReadError), if it is none.
+    pub fn parse(bytes: &[u8]) -> Result<Self, crate::ReadError> {
+        crate::result_reader::check_size(bytes)?;
+        let record: Self = serde_json::from_slice(bytes)
+            .map_err(|source| crate::ReadError::Json { place: String::new(), source })?;
+        crate::result_reader::check_schema(Some(record.schema.clone()))?;
+        Ok(record)
+    }
+
     /// The text of the file: indented JSON with a final line break.
     ///
     /// # Errors
@@ -280,8 +330,8 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
     let (patch, basis) = done.solved.family.names();
     MethodEntry::Done(Box::new(DoneEntry {
         name: result.name.clone(),
-        patch,
-        basis,
+        patch: patch.to_owned(),
+        basis: basis.to_owned(),
         dirichlet: finite(f.dirichlet.value),
         dirichlet_error: finite(f.dirichlet.error),
         area: finite(f.area.value),
@@ -290,6 +340,8 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         laplacian_defect_error: finite(f.laplacian_defect.error),
         bending: finite(f.bending.value),
         bending_error: finite(f.bending.error),
+        coons_functional: None,
+        metric_dirichlet: None,
         conformality_gap: f.conformality_gap.and_then(finite),
         mean_curvature: (f.mean_curvature_max.or(f.mean_curvature_rms).is_some())
             .then_some(MeanCurvature { max_abs: f.mean_curvature_max, rms: f.mean_curvature_rms }),
@@ -299,6 +351,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             Surface::Triangle(patch) => Some(NetEntry::Triangle(indexed(patch.net()))),
             Surface::Pieces(pieces) => single_net(pieces).map(NetEntry::Rows),
         },
+        faces: None,
         domain: match &done.solved.surface {
             Surface::Pieces(pieces) => Some(DomainEntry::new(pieces)),
             Surface::Tensor(_) | Surface::Triangle(_) => None,
@@ -309,7 +362,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         },
         weights: done.closed_form.and_then(|form| form.weights),
         deviation: done.closed_form.map(|form| form.deviation).and_then(finite),
-        solver: solve.map(|s| s.solver),
+        solver: solve.map(|s| s.solver.to_owned()),
         residual: solve.and_then(|s| finite(s.residual)),
         condition: solve.and_then(|s| finite(s.condition)),
         basis_condition: solve.and_then(|s| s.basis_condition).and_then(finite),
@@ -323,6 +376,12 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             second_variation: found.second_variation.and_then(finite),
         }),
         boundary_deviation: done.boundary.map(|b| b.deviation).and_then(finite),
+        rim_deviation: None,
+        kink: None,
+        jacobian_ratio: None,
+        area_estimate: None,
+        lower_bound: None,
+        spanned_one_by_one: None,
         harmonic_bound: done.boundary.map(|b| b.harmonic_bound).and_then(finite),
         harmonic_bound_error: done.boundary.map(|b| b.harmonic_bound_error).and_then(finite),
         search: done.solved.search.as_ref().map(search_entry),
@@ -346,8 +405,8 @@ fn search_entry(outcome: &SearchOutcome) -> SearchEntry {
     SearchEntry {
         evaluations: outcome.evaluations,
         nan_evaluations: outcome.nan_evaluations,
-        engine: outcome.engine,
-        arithmetic: outcome.arithmetic,
+        engine: outcome.engine.to_owned(),
+        arithmetic: outcome.arithmetic.to_owned(),
         minimum: outcome.minimum,
         runs: outcome.runs.iter().map(run_entry).collect(),
     }
@@ -365,7 +424,7 @@ fn run_entry(run: &SearchRun) -> RunEntry {
         polish: run.polish.as_ref().map(|p| PolishEntry {
             value: p.value,
             kkt_residual: p.residual,
-            active_bounds: active_bounds(p),
+            active_bounds: active_bounds(p).into_iter().map(str::to_owned).collect(),
             evaluations: p.evaluations,
             reason: p.reason.to_string(),
         }),
@@ -383,4 +442,27 @@ fn active_bounds(polished: &optim::Polished) -> Vec<&'static str> {
             optim::Bound::Upper => "upper",
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every key a method may have that no method of this version writes.
+    #[test]
+    fn keys_of_complexes_are_read_and_written() {
+        let method = serde_json::json!({
+            "name": "Least area", "patch": "complex", "basis": "bernstein", "area": 2.5, "coons_functional": 3.0,
+            "metric_dirichlet": 2.6, "rim_deviation": 1e-9, "kink": { "max": 0.1, "rms": -0.0 }, "jacobian_ratio": 0.25,
+            "area_estimate": 1e-4, "lower_bound": 2.4, "spanned_one_by_one": 5.0,
+            "faces": [{ "vertices": ["a", "b", "c", "d"], "net": [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.1]], [[0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]] }],
+        });
+        let entry: MethodEntry = serde_json::from_value(method.clone()).unwrap();
+        assert!(matches!(&entry, MethodEntry::Done(done) if done.faces.is_some() && done.kink.is_some()));
+        assert_eq!(serde_json::to_value(&entry).unwrap(), method);
+        let failed = serde_json::json!({ "name": "x", "error": "y" });
+        let entry: MethodEntry = serde_json::from_value(failed.clone()).unwrap();
+        assert!(matches!(&entry, MethodEntry::Failed { .. }));
+        assert_eq!(serde_json::to_value(&entry).unwrap(), failed);
+    }
 }

@@ -196,7 +196,7 @@ pub(crate) fn contents(path: &Path) -> Result<Vec<u8>, ReadError> {
 }
 
 /// Refuses a text that would take many times its length, before it is parsed.
-fn check_size(bytes: &[u8]) -> Result<(), ReadError> {
+pub(crate) fn check_size(bytes: &[u8]) -> Result<(), ReadError> {
     match excess(bytes) {
         None => Ok(()),
         Some(Excess::Values) => Err(ReadError::TooMuch { most: MAX_VALUES, what: "values" }),

@@ -63,6 +63,9 @@ pub struct Verified {
     /// Whether they differ bit for bit, but not as [`Level::Figures`] compares: another model of the processor may do that to
     /// large systems.
     pub differs_in_bits_only: bool,
+    /// Whether the record itself says that the area is all but constant along what remains of the gradient: the points may lie
+    /// elsewhere within the same surface, and figures that depend on where they lie were not compared as [`Level::Figures`].
+    pub slides: bool,
 }
 
 /// A place where a result and its repetition differ.
@@ -133,7 +136,7 @@ pub fn verify(path: &Path, progress: &dyn Progress) -> Result<Verification, Veri
             computed: Some(Manifest::new(&plan, options).sha256),
         };
         let (name, differences) = ("manifest".into(), vec![difference]);
-        entries.push(Verified { name, compared: 1, differences, differs_in_bits_only: false });
+        entries.push(Verified { name, compared: 1, differences, differs_in_bits_only: false, slides: false });
     }
     Ok(Verification { title: plan.title.clone(), level, entries })
 }
@@ -217,8 +220,10 @@ fn compared(
         Level::Figures { .. } => figures(stored, computed).named(name, false),
         Level::Bits => {
             let bits = bits(stored, computed);
-            let only = !bits.agrees() && figures(stored, computed).agrees();
-            bits.named(name, only)
+            let figures = (!bits.agrees()).then(|| figures(stored, computed));
+            let only = figures.as_ref().is_some_and(compare::Comparison::agrees);
+            let slides = figures.is_some_and(|figures| figures.slides);
+            Verified { slides, ..bits.named(name, only) }
         }
     }
 }

@@ -40,6 +40,20 @@ fn every_fixture_meets_the_numbers_it_states() {
 }
 
 #[test]
+fn a_record_that_is_read_back_is_the_one_that_was_written() {
+    for file in fixtures() {
+        let plan = Plan::read(&file).unwrap_or_else(|refusal| panic!("{}", refusal.render(false)));
+        let record = ResultFile::new(&plan, &finish(&plan));
+        let written = record.to_json().expect("every record has a JSON form");
+        let read =
+            ResultFile::parse(written.as_bytes()).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+        assert!(read == record, "{}", file.display());
+        // Bit for bit, for zeros have signs.
+        assert!(read.to_json().expect("every record has a JSON form") == written, "{}", file.display());
+    }
+}
+
+#[test]
 fn a_wrong_expectation_is_missed() {
     let text = fixture("gt-5.1.toml").text.replace("dirichlet = 38.3538462", "dirichlet = 38.3538463");
     let missed = finish(&Plan::parse("wrong.toml", &text).unwrap()).missed();

@@ -1,10 +1,10 @@
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use surfaces::Pieces;
 
 use super::rows;
 
 /// One patch of a surface that was cut: its intervals in the parameters of the whole, and its net.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct PieceEntry {
     u: [f64; 2],
     v: [f64; 2],
@@ -12,7 +12,7 @@ pub(super) struct PieceEntry {
 }
 
 /// The intervals of the parameters of the whole surface.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct DomainEntry {
     u: [f64; 2],
     v: [f64; 2],
