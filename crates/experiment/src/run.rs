@@ -71,6 +71,7 @@ pub fn run_kept(
             (context.search, context.arithmetic, context.mesh) = (experiment.search, arithmetic, mesh);
             (context.keeper, context.progress) = (keeper, progress);
             results.warnings = degeneracies(&experiment.boundary).iter().map(Degeneracy::to_string).collect();
+            results.warnings.extend(experiment.boundary.welding().as_ref().map(ToString::to_string));
             results.methods = patches(experiment, &context);
         }
         Experiment::Helicoid(helicoid) => {

@@ -11,8 +11,8 @@ fn imported(name: &str, text: &str, degree: Option<usize>) -> Result<String, Imp
 fn sides(text: &str) -> [Vec<[f64; 3]>; 4] {
     let plan = Plan::parse("imported.toml", text).unwrap();
     let Experiment::Patch(experiment) = plan.experiment else { panic!("patches") };
-    let Boundary::Tensor { u0, u1, v0, v1 } = experiment.boundary else { panic!("a tensor boundary") };
-    [u0, u1, v0, v1]
+    let Boundary::Tensor(boundary) = experiment.boundary else { panic!("a tensor boundary") };
+    boundary.sides().clone().map(|side| side.into_iter().map(Into::into).collect())
 }
 
 fn surface(u: f64, v: f64) -> [f64; 3] {

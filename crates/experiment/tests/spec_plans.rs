@@ -3,8 +3,11 @@
 use exchange::{DEFAULT_TOLERANCE, Format};
 use experiment::{Experiment, Output, PatchExperiment, Plan, Template};
 use plateau::{
-    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Energy, Interior, Mask, Method, Patch,
-    Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
+    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Direction, Energy, Interior, Mask, Method,
+    Patch, Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
+};
+use plateau_cli::{
+    DEFAULT_TOLERANCE, Experiment, Format, Options, Output, PatchExperiment, Plan, Template, run,
 };
 
 fn plan(text: &str) -> Plan {
@@ -69,11 +72,13 @@ fn the_tensor_example() {
         Output { mesh: 48, formats: vec![], pictures: true, step_tolerance: DEFAULT_TOLERANCE }
     );
     let patches = patches(&plan);
-    let Boundary::Tensor { u0, u1, v0, v1 } = &patches.boundary else { panic!("{:?}", patches.boundary) };
-    assert_eq!(u0[1], [2.0, 0.0, 2.0]);
-    assert_eq!(u1[2], [4.0, 6.0, -2.0]);
-    assert_eq!(v0[1], [0.0, 2.0, 2.0]);
-    assert_eq!(v1[3], [6.0, 6.0, 0.0]);
+    let Boundary::Tensor(boundary) = &patches.boundary else { panic!("{:?}", patches.boundary) };
+    let [u0, u1, v0, v1] = boundary.sides();
+    assert_eq!(<[f64; 3]>::from(u0[1]), [2.0, 0.0, 2.0]);
+    assert_eq!(<[f64; 3]>::from(u1[2]), [4.0, 6.0, -2.0]);
+    assert_eq!(<[f64; 3]>::from(v0[1]), [0.0, 2.0, 2.0]);
+    assert_eq!(<[f64; 3]>::from(v1[3]), [6.0, 6.0, 0.0]);
+    assert_eq!(boundary.welded(), 0.0);
     assert_eq!(patches.boundary.degrees(), (3, 3));
     assert_eq!(patches.search, Search::default());
     let dirichlet = Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 0 };
@@ -185,14 +190,18 @@ fn harmonic_nets_from_two_sides() {
         construction = "harmonic"
     "#;
     let plan_of_rows = plan(rows);
-    assert!(matches!(patches(&plan_of_rows).boundary, Boundary::Rows { degree: 4, .. }));
+    let direction = |plan: &Plan| match &patches(plan).boundary {
+        Boundary::Opposite(sides) => sides.direction(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(direction(&plan_of_rows), Direction::Rows);
     assert_eq!(patches(&plan_of_rows).boundary.degrees(), (4, 2));
     let columns = plan(&rows.replace("u0", "v0").replace("u1", "v1").replace("u-degree", "v-degree"));
-    assert!(matches!(patches(&columns).boundary, Boundary::Columns { degree: 4, .. }));
+    assert_eq!(direction(&columns), Direction::Columns);
     assert_eq!(patches(&columns).boundary.degrees(), (2, 4));
     let method = "[[method]]\nname = \"a\"\nconstruction = \"harmonic\"\n";
     let all_four = plan(&format!("{}{method}", NET.replace("[boundary]", "[boundary]\nu-degree = 3")));
-    assert!(matches!(patches(&all_four).boundary, Boundary::Tensor { .. }));
+    assert!(matches!(patches(&all_four).boundary, Boundary::Tensor(_)));
 }
 
 #[test]
@@ -216,7 +225,7 @@ fn triangles() {
     "#;
     let plan = plan(text);
     let patches = patches(&plan);
-    assert!(matches!(patches.boundary, Boundary::Triangle { .. }));
+    assert!(matches!(patches.boundary, Boundary::Triangle(_)));
     assert_eq!(patches.boundary.degrees(), (2, 2));
     let masks: Vec<Interior> = patches.methods.iter().map(|method| method.interior).collect();
     assert_eq!(masks, [Mask::Coons, Mask::Dirichlet, Mask::Alpha(1.0 / 9.0)].map(Interior::Mask));
@@ -378,6 +387,26 @@ fn output_formats_in_the_order_of_the_file() {
             step_tolerance: 1e-3
         }
     );
+}
+
+#[test]
+fn corners_that_differ_by_rounding_are_one_point() {
+    // sin(2π) · 2, as a program writes it, where the other side has 0.
+    let text = NET.replace("[6,0,0]]   # P_{0,j}", "[6,-4.898587196589413e-16,0]]");
+    assert_ne!(text, NET);
+    let plan = plan(&format!("{text}[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n"));
+    let boundary = &patches(&plan).boundary;
+    let Boundary::Tensor(sides) = boundary else { panic!("{boundary:?}") };
+    assert_eq!(sides.sides()[0][3], sides.sides()[3][0]);
+    assert_eq!(sides.welded(), 4.898587196589413e-16);
+    let said = boundary.welding().expect("it was welded").to_string();
+    assert!(said.contains("4.9e-16") && said.contains("made one point"), "{said}");
+    let finished = run(&plan, Options::default(), &()).expect("it runs");
+    assert!(finished.results.warnings.contains(&said), "{:?}", finished.results.warnings);
+    // A corner off by more than a millionth of the size is a slip.
+    let off = NET.replace("[6,0,0]]   # P_{0,j}", "[6,1e-4,0]]");
+    let method = "[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n";
+    assert!(Plan::parse("off.toml", &format!("{off}{method}")).is_err());
 }
 
 #[test]

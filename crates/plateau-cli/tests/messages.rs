@@ -56,7 +56,7 @@ error: `u1` and `v0` in [boundary] disagree at the corner P_m0: [0, 6, 0] and [0
 6 | v0 = [[0, 0, 0], [0, 6, 2]]
   |                  ^^^^^^^^^ the last point of `v0` is [0, 6, 2]
   |
-  = help: corners are repeated and must be equal digit for digit: make the first point of `u1` and the last point of `v0` the same
+  = help: corners are repeated: make the first point of `u1` and the last point of `v0` the same; what differs by no more than 9e-6, a millionth of the size, is made one
 
 error: [[method]] has no key `enrgy`
   --> net.toml:11:1

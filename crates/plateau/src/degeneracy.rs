@@ -3,7 +3,7 @@
 use surfaces::Point;
 use thiserror::Error;
 
-use crate::Boundary;
+use crate::boundary::{Boundary, Corner, TensorBoundary, TriangleBoundary};
 
 /// What is wrong with a boundary although patches over it exist.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -126,8 +126,8 @@ struct Side {
 }
 
 impl Side {
-    fn new(name: &'static str, points: &[[f64; 3]]) -> Self {
-        Self { name, points: points.iter().copied().map(Point::from).collect() }
+    fn new(name: &'static str, points: &[Point]) -> Self {
+        Self { name, points: points.to_vec() }
     }
 
     fn reversed(&self) -> Vec<Point> {
@@ -153,33 +153,14 @@ fn at(points: &[Point], t: f64) -> Point {
     row[0]
 }
 
-/// A corner: its name and the two sides that begin or (true) end there.
-type Corner = (&'static str, [(usize, bool); 2]);
-
-const TENSOR: [Corner; 4] = [
-    ("P_00", [(0, false), (2, false)]),
-    ("P_0n", [(0, true), (3, false)]),
-    ("P_m0", [(1, false), (2, true)]),
-    ("P_mn", [(1, true), (3, true)]),
-];
-
-const TRIANGLE: [Corner; 3] =
-    [("A", [(0, false), (2, true)]), ("B", [(0, true), (1, false)]), ("C", [(1, true), (2, false)])];
-
 /// The degeneracies of a boundary, the gravest first; none of an ordinary one.
 pub fn degeneracies(boundary: &Boundary) -> Vec<Degeneracy> {
-    let (sides, corners): (Vec<Side>, &[Corner]) = match boundary {
-        Boundary::Tensor { u0, u1, v0, v1 } => {
-            let sides = [("u0", u0), ("u1", u1), ("v0", v0), ("v1", v1)];
-            (sides.map(|(name, points)| Side::new(name, points)).into(), &TENSOR)
-        }
-        Boundary::Rows { u0, u1, .. } => (vec![Side::new("u0", u0), Side::new("u1", u1)], &[]),
-        Boundary::Columns { v0, v1, .. } => (vec![Side::new("v0", v0), Side::new("v1", v1)], &[]),
-        Boundary::Triangle { ab, bc, ca } => {
-            let sides = [("ab", ab), ("bc", bc), ("ca", ca)];
-            (sides.map(|(name, points)| Side::new(name, points)).into(), &TRIANGLE)
-        }
+    let (names, points, corners): (&[&'static str], &[Vec<Point>], &[Corner]) = match boundary {
+        Boundary::Tensor(sides) => (&TensorBoundary::NAMES, sides.sides(), &TensorBoundary::CORNERS),
+        Boundary::Opposite(sides) => (&sides.direction().names(), sides.sides(), &[]),
+        Boundary::Triangle(sides) => (&TriangleBoundary::NAMES, sides.sides(), &TriangleBoundary::CORNERS),
     };
+    let sides: Vec<Side> = names.iter().zip(points).map(|(name, points)| Side::new(name, points)).collect();
     let all: Vec<Point> = sides.iter().flat_map(|side| side.points.iter().copied()).collect();
     let first = all[0];
     let farthest =

@@ -56,7 +56,10 @@ mod trust;
 mod warning;
 
 pub use arithmetic::Arithmetic;
-pub use boundary::{Boundary, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE};
+pub use boundary::{
+    Boundary, BoundaryError, Corner, Direction, Gap, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE, OppositeSides,
+    TensorBoundary, TriangleBoundary,
+};
 pub use boundary_figures::BoundaryFigures;
 pub use closed_form::ClosedForm;
 pub use context::Context;

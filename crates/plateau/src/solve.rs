@@ -38,8 +38,8 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
 
 /// The patch of a method.
 fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
-    if let Boundary::Triangle { ab, bc, ca } = boundary {
-        let (patch, solve, area) = triangle::solve(method, [ab, bc, ca], context.progress)?;
+    if let Boundary::Triangle(sides) = boundary {
+        let (patch, solve, area) = triangle::solve(method, sides, context.progress)?;
         let (surface, family) = (Surface::Triangle(patch), Family::Triangle);
         return Ok(Solved { surface, family, shape: None, solve, area, search: None });
     }

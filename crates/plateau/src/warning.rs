@@ -6,6 +6,16 @@ use crate::Degeneracy;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
+    /// Ends of sides that differed were made one point.
+    #[error(
+        "corners of the boundary differed by up to {distance:.1e}, {share:.0e} of its size, and were made one point each"
+    )]
+    Welded {
+        /// Their largest distance (a length).
+        distance: f64,
+        /// The same as a share of the size of the boundary.
+        share: f64,
+    },
     /// The best shape of a search lies on the boundary of its box.
     #[error("the search box binds: {} at {bound}; a wider box may hold a lower minimum", parameters.join(", "))]
     BoxBinds {

@@ -2,13 +2,12 @@
 
 use std::ops::Range;
 
-use serde_spanned::Spanned;
-
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::boundary::{
     AB, BC, CA, SIDES_OF_A_NET, SIDES_OF_A_TRIANGLE, U_DEGREE, U0, U1, V_DEGREE, V0, V1,
 };
-use plateau::{Boundary, MIN_SIZE};
+use plateau::{Boundary, BoundaryError, Gap, OppositeSides, TensorBoundary, TriangleBoundary};
+use surfaces::Point;
 
 use crate::text::{Entry, Faults, Given, Key, PointList, Points, Table, shown, shown_point};
 
@@ -31,12 +30,12 @@ pub(super) struct Sides {
 struct Side {
     name: &'static str,
     span: Range<usize>,
-    points: Vec<Spanned<[f64; 3]>>,
+    list: PointList,
 }
 
 impl Side {
-    fn plain(&self) -> Vec<[f64; 3]> {
-        self.points.iter().map(|point| *point.get_ref()).collect()
+    fn points(&self) -> Vec<Point> {
+        self.list.points.iter().map(|point| Point::from(*point.get_ref())).collect()
     }
 }
 
@@ -65,7 +64,6 @@ pub(super) fn boundary(table: &Table<'_>) -> Sides {
         triangle: TRIANGLE.map(|key| table.take(key)),
     };
     let (kind, boundary) = read.judge();
-    let boundary = boundary.filter(|_| read.is_large_enough());
     Sides { kind, header: table.span(), boundary }
 }
 
@@ -102,35 +100,6 @@ impl Read<'_> {
         }
     }
 
-    /// Whether the largest coordinate is large enough for areas to be told from 0; a boundary of zeros is told apart later.
-    fn is_large_enough(&self) -> bool {
-        let mut largest = (0.0, String::new(), 0..0);
-        let lists = NET.iter().zip(&self.net).chain(TRIANGLE.iter().zip(&self.triangle));
-        for (key, list) in lists {
-            let points = list.value().into_iter().flat_map(|list| list.points.iter().zip(&list.coordinates));
-            for (k, (point, places)) in points.enumerate() {
-                for ((axis, x), place) in ["x", "y", "z"].iter().zip(point.get_ref()).zip(places) {
-                    if x.abs() > largest.0 {
-                        let called = format!("{axis} of point {k} of `{}`", key.head().name);
-                        largest = (x.abs(), called, place.clone());
-                    }
-                }
-            }
-        }
-        let (size, place, span) = largest;
-        if size == 0.0 || size >= MIN_SIZE {
-            return true;
-        }
-        self.faults.inadmissible(
-            span,
-            format!("the points of [boundary] are too small: the largest coordinate, {place}, is {} (points are counted from 0)", shown(size)),
-            "the largest of all",
-            "areas of so small a boundary leave the range of double precision: choose a smaller unit of length, in which the largest \
-             coordinate is at least 1e-60",
-        );
-        false
-    }
-
     fn nothing(&self) {
         if self.table.has_strays() {
             return;
@@ -153,8 +122,8 @@ impl Read<'_> {
         if list.is_absent() {
             self.table.missing(name, help);
         }
-        let (points, span) = list.value().map(|list| list.points.clone()).zip(list.span())?;
-        Some(Side { name, span, points })
+        let (list, span) = list.value().cloned().zip(list.span())?;
+        Some(Side { name, span, list })
     }
 
     fn tensor(&self) -> Option<Boundary> {
@@ -169,24 +138,15 @@ impl Read<'_> {
         let column_help = or_harmonic(&["v0", "v1"], "u0, u1 and u-degree = m");
         let [u0, u1] = [0, 1].map(|k| self.side(k, &row_help));
         let [v0, v1] = [2, 3].map(|k| self.side(k, &column_help));
-        let rows = self.same_length(u0.as_ref(), u1.as_ref());
-        let columns = self.same_length(v0.as_ref(), v1.as_ref());
-        let meet = self.meet(
-            &[u0.as_ref(), u1.as_ref(), v0.as_ref(), v1.as_ref()],
-            &[
-                ("P_00", (0, false), (2, false)),
-                ("P_0n", (0, true), (3, false)),
-                ("P_m0", (1, false), (2, true)),
-                ("P_mn", (1, true), (3, true)),
-            ],
-            "opposite sides run in the same direction: u0 and v0 begin at one corner, v0 ends where u1 begins, u0 where v1 begins",
-        );
         let [u_degree, v_degree] = &self.degrees;
         let agree = self.is_degree("u-degree", u_degree, v0.as_ref())
             & self.is_degree("v-degree", v_degree, u0.as_ref());
-        let (u0, u1, v0, v1) = (u0?.plain(), u1?.plain(), v0?.plain(), v1?.plain());
-        (rows && columns && meet && agree && !u_degree.is_faulty() && !v_degree.is_faulty())
-            .then_some(Boundary::Tensor { u0, u1, v0, v1 })
+        let sides = [u0?, u1?, v0?, v1?];
+        let [u0, u1, v0, v1] = sides.each_ref().map(Side::points);
+        let rule = "opposite sides run in the same direction: u0 and v0 begin at one corner, v0 ends where u1 begins, u0 where \
+                    v1 begins";
+        let boundary = self.unless(TensorBoundary::new(u0, u1, v0, v1), &sides, rule);
+        boundary.filter(|_| agree && !u_degree.is_faulty() && !v_degree.is_faulty()).map(Boundary::Tensor)
     }
 
     /// With all four sides there, a degree is no news; it must be true.
@@ -194,14 +154,14 @@ impl Read<'_> {
         let (Some(stated), Some(span), Some(side)) = (degree.value(), degree.span(), side) else {
             return true;
         };
-        let true_degree = side.points.len() - 1;
-        if *stated == true_degree {
+        let count = side.list.points.len();
+        if *stated == count - 1 {
             return true;
         }
         self.faults.conflict(
             (span, "the stated degree"),
-            (side.span.clone(), &format!("{} points, degree {true_degree}", side.points.len())),
-            format!("`{name}` in [boundary] is {stated}, but `{}` has degree {true_degree}", side.name),
+            (side.span.clone(), &format!("{count} points, degree {}", count - 1)),
+            format!("`{name}` in [boundary] is {stated}, but `{}` has degree {}", side.name, count - 1),
             format!("leave out `{name}`: it is needed only where the other pair of sides is not given"),
         );
         false
@@ -210,61 +170,86 @@ impl Read<'_> {
     fn two_rows(&self) -> Option<Boundary> {
         let help = "a harmonic net takes u0, u1 and u-degree = m; any other method takes u0, u1, v0, v1";
         let [u0, u1] = [0, 1].map(|k| self.side(k, help));
-        let equal = self.same_length(u0.as_ref(), u1.as_ref());
-        let (u0, u1, degree) = (u0?.plain(), u1?.plain(), *self.degrees[0].value()?);
-        equal.then_some(Boundary::Rows { u0, u1, degree })
+        let (sides, degree) = ([u0?, u1?], *self.degrees[0].value()?);
+        let [u0, u1] = sides.each_ref().map(Side::points);
+        self.unless(OppositeSides::rows(u0, u1, degree), &sides, "").map(Boundary::Opposite)
     }
 
     fn two_columns(&self) -> Option<Boundary> {
         let help = "a harmonic net takes v0, v1 and v-degree = n; any other method takes u0, u1, v0, v1";
         let [v0, v1] = [2, 3].map(|k| self.side(k, help));
-        let equal = self.same_length(v0.as_ref(), v1.as_ref());
-        let (v0, v1, degree) = (v0?.plain(), v1?.plain(), *self.degrees[1].value()?);
-        equal.then_some(Boundary::Columns { v0, v1, degree })
+        let (sides, degree) = ([v0?, v1?], *self.degrees[1].value()?);
+        let [v0, v1] = sides.each_ref().map(Side::points);
+        self.unless(OppositeSides::columns(v0, v1, degree), &sides, "").map(Boundary::Opposite)
     }
 
     fn triangular(&self) -> Option<Boundary> {
         let [ab, bc, ca] = [0, 1, 2].map(|k| self.named(TRIANGLE[k], &self.triangle[k], SIDES_OF_A_TRIANGLE));
-        let equal = self.same_length(ab.as_ref(), bc.as_ref()) & self.same_length(ab.as_ref(), ca.as_ref());
-        let meet = !equal
-            || self.meet(
-                &[ab.as_ref(), bc.as_ref(), ca.as_ref()],
-                &[("A", (0, false), (2, true)), ("B", (0, true), (1, false)), ("C", (1, true), (2, false))],
-                "each side begins where the one before it ends",
-            );
-        let (ab, bc, ca) = (ab?.plain(), bc?.plain(), ca?.plain());
-        (equal && meet).then_some(Boundary::Triangle { ab, bc, ca })
+        let sides = [ab?, bc?, ca?];
+        let [ab, bc, ca] = sides.each_ref().map(Side::points);
+        let rule = "each side begins where the one before it ends";
+        self.unless(TriangleBoundary::new(ab, bc, ca), &sides, rule).map(Boundary::Triangle)
     }
 
-    /// Whether two opposite sides have the same number of points; true if one of them is unknown.
-    fn same_length(&self, one: Option<&Side>, other: Option<&Side>) -> bool {
-        let (Some(one), Some(other)) = (one, other) else { return true };
-        let (first, second) = (one.points.len(), other.points.len());
-        if first == second {
-            return true;
+    /// The boundary, unless the sides make none, which is reported in the words of the file. `rule` says where they meet.
+    fn unless<T>(&self, made: Result<T, BoundaryError>, sides: &[Side], rule: &str) -> Option<T> {
+        match made {
+            Ok(boundary) => return Some(boundary),
+            Err(BoundaryError::TooSmall { size }) => self.too_small(size, sides),
+            Err(BoundaryError::Lengths { sides: names, counts }) => {
+                self.differ_in_length(sides, names, counts)
+            }
+            Err(BoundaryError::Apart { gaps, weld }) => self.do_not_meet(sides, &gaps, weld, rule),
+            // The numbers themselves were admitted one by one.
+            Err(error) => self.faults.inadmissible(self.table.span(), error.to_string(), "these sides", rule),
         }
+        None
+    }
+
+    /// The largest coordinate is too small for areas to be told from 0; a boundary of zeros is told apart later.
+    fn too_small(&self, size: f64, sides: &[Side]) {
+        let coordinates = sides.iter().flat_map(|side| {
+            let points = side.list.points.iter().zip(&side.list.coordinates).enumerate();
+            points.flat_map(move |(k, (point, places))| {
+                let axes = ["x", "y", "z"].into_iter().zip(point.get_ref()).zip(places);
+                axes.map(move |((axis, x), place)| {
+                    (x.abs(), format!("{axis} of point {k} of `{}`", side.name), place)
+                })
+            })
+        });
+        let largest = coordinates.into_iter().find(|(x, _, _)| *x == size);
+        let (place, span) =
+            largest.map_or((String::new(), self.table.span()), |(_, called, span)| (called, span.clone()));
+        self.faults.inadmissible(
+            span,
+            format!("the points of [boundary] are too small: the largest coordinate, {place}, is {} (points are counted from 0)", shown(size)),
+            "the largest of all",
+            "areas of so small a boundary leave the range of double precision: choose a smaller unit of length, in which the largest \
+             coordinate is at least 1e-60",
+        );
+    }
+
+    fn differ_in_length(&self, sides: &[Side], [one, other]: [&str; 2], [first, second]: [usize; 2]) {
+        let span = |name| {
+            sides.iter().find(|side| side.name == name).map_or(self.table.span(), |side| side.span.clone())
+        };
         self.faults.conflict(
-            (other.span.clone(), &format!("{second} points")),
-            (one.span.clone(), &format!("{first} points")),
-            format!(
-                "`{}` and `{}` in [boundary] differ in length: {first} and {second} points",
-                one.name, other.name
-            ),
+            (span(other), &format!("{second} points")),
+            (span(one), &format!("{first} points")),
+            format!("`{one}` and `{other}` in [boundary] differ in length: {first} and {second} points"),
             "sides of one net have the same number of points: raise the degree of the shorter one, or complete it",
         );
-        false
     }
 
-    /// Whether sides meet in their corners; true of sides that are unknown. Sides that would meet if some were reversed are
-    /// one fault.
-    fn meet(&self, sides: &[Option<&Side>], corners: &[Corner], rule: &str) -> bool {
-        let known: Option<Vec<&Side>> = sides.iter().copied().collect();
-        let Some(turned) = known.and_then(|known| reversed(&known, corners)) else {
-            return corners.iter().fold(true, |meet, &(name, (one, one_at_end), (other, other_at_end))| {
-                meet & self.meet_in(name, (sides[one], one_at_end), (sides[other], other_at_end))
-            });
+    /// Sides that would meet if some were reversed are one fault, others are one for each corner.
+    fn do_not_meet(&self, sides: &[Side], gaps: &[Gap], weld: f64, rule: &str) {
+        let corners: &[_] =
+            if sides.len() == 3 { &TriangleBoundary::CORNERS } else { &TensorBoundary::CORNERS };
+        let Some(turned) = reversed(sides, corners, weld) else {
+            gaps.iter().for_each(|gap| self.does_not_meet(sides, gap, weld));
+            return;
         };
-        let [first, rest @ ..] = &turned[..] else { return true };
+        let [first, rest @ ..] = &turned[..] else { return };
         let names: Vec<String> = turned.iter().map(|side| format!("`{}`", side.name)).collect();
         let (names, run) = (names.join(" and "), if rest.is_empty() { "runs" } else { "run" });
         let what = format!("{names} in [boundary] {run} in the wrong direction: reversed, all sides meet");
@@ -272,58 +257,46 @@ impl Read<'_> {
         let diagnostic = Diagnostic::at(Fault::Conflict, first.span.clone(), what, label).help(rule);
         let whole = rest.iter().fold(diagnostic, |fault, side| fault.beside(side.span.clone(), label));
         self.faults.report(whole);
-        false
     }
 
-    /// Whether two sides meet in a corner; true if one of them is unknown.
-    fn meet_in(
-        &self,
-        corner: &str,
-        (one, one_at_end): (Option<&Side>, bool),
-        (other, other_at_end): (Option<&Side>, bool),
-    ) -> bool {
-        let (Some(one), Some(other)) = (one, other) else { return true };
-        let pick = |side: &Side, at_end: bool| {
-            let k = if at_end { side.points.len() - 1 } else { 0 };
-            let place = if at_end { "last" } else { "first" };
-            (*side.points[k].get_ref(), side.points[k].span(), place)
+    fn does_not_meet(&self, sides: &[Side], gap: &Gap, weld: f64) {
+        let end = |k: usize| {
+            let ((side, at_end), point) = (gap.ends[k], <[f64; 3]>::from(gap.points[k]));
+            let side = &sides[side];
+            let last = side.list.points.len() - 1;
+            let (place, span) = match at_end {
+                true => ("last", side.list.points[last].span()),
+                false => ("first", side.list.points[0].span()),
+            };
+            (side.name, place, shown_point(&point), span)
         };
-        let (p, p_span, p_place) = pick(one, one_at_end);
-        let (q, q_span, q_place) = pick(other, other_at_end);
-        if p == q {
-            return true;
-        }
-        let (one, other) = (one.name, other.name);
+        let ((one, first, p, p_span), (other, second, q, q_span)) = (end(0), end(1));
         self.faults.conflict(
-            (q_span, &format!("the {q_place} point of `{other}` is {}", shown_point(&q))),
-            (p_span, &format!("the {p_place} point of `{one}` is {}", shown_point(&p))),
+            (q_span, &format!("the {second} point of `{other}` is {q}")),
+            (p_span, &format!("the {first} point of `{one}` is {p}")),
+            format!("`{one}` and `{other}` in [boundary] disagree at the corner {}: {p} and {q}", gap.corner),
             format!(
-                "`{one}` and `{other}` in [boundary] disagree at the corner {corner}: {} and {}",
-                shown_point(&p),
-                shown_point(&q)
-            ),
-            format!(
-                "corners are repeated and must be equal digit for digit: make the {p_place} point of `{one}` and the {q_place} point of `{other}` the same"
+                "corners are repeated: make the {first} point of `{one}` and the {second} point of `{other}` the same; what differs by \
+                 no more than {weld:.0e}, a millionth of the size, is made one"
             ),
         );
-        false
     }
 }
 
-/// A corner: its name, and the two sides that meet in it, each with whether it does so at its end.
-type Corner = (&'static str, (usize, bool), (usize, bool));
-
-/// The fewest sides whose reversal makes all sides meet; none if they meet as they are.
-fn reversed<'s>(sides: &[&'s Side], corners: &[Corner]) -> Option<Vec<&'s Side>> {
+/// The fewest sides whose reversal makes all sides meet.
+fn reversed<'s>(
+    sides: &'s [Side],
+    corners: &[(&str, [(usize, bool); 2])],
+    weld: f64,
+) -> Option<Vec<&'s Side>> {
     let is_turned = |turned: usize, k: usize| turned >> k & 1 == 1;
-    let end = |k: usize, at_end: bool, turned: usize| {
-        let points = &sides[k].points;
-        let point = if at_end == is_turned(turned, k) { points.first() } else { points.last() };
-        point.map(|point| *point.get_ref())
+    let end = |(k, at_end): (usize, bool), turned: usize| {
+        let points = &sides[k].list.points;
+        let point = points[if at_end == is_turned(turned, k) { 0 } else { points.len() - 1 }].get_ref();
+        Point::from(*point)
     };
-    let meets = |turned: &usize| {
-        corners.iter().all(|&(_, (p, p_end), (q, q_end))| end(p, p_end, *turned) == end(q, q_end, *turned))
-    };
+    let meets =
+        |turned: &usize| corners.iter().all(|&(_, [p, q])| end(p, *turned).distance(end(q, *turned)) <= weld);
     let turned = (0..1 << sides.len()).filter(meets).min_by_key(|turned: &usize| turned.count_ones())?;
-    Some((0..sides.len()).filter(|&k| is_turned(turned, k)).map(|k| sides[k]).collect())
+    Some((0..sides.len()).filter(|&k| is_turned(turned, k)).map(|k| &sides[k]).collect())
 }

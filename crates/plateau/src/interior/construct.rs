@@ -1,6 +1,6 @@
 //! The net a method begins with, and the patch on it.
 
-use surfaces::{Net, Point, TensorPatch, discrete_coons, rectangular_mask, tb_coons};
+use surfaces::{Net, TensorPatch, discrete_coons, rectangular_mask, tb_coons};
 
 use super::{harmonic, mask};
 use crate::{Basis, Boundary, Interior, Mask, Method, MethodError, Patch, SolveFigures};
@@ -33,13 +33,11 @@ pub(crate) fn construct(
 
 /// The net with its boundary fixed, raised as the method asks.
 fn boundary_net(method: &Method, boundary: &Boundary) -> Result<Net, MethodError> {
-    let points = |row: &[[f64; 3]]| row.iter().copied().map(Point::from).collect::<Vec<_>>();
     match boundary {
-        Boundary::Tensor { u0, u1, v0, v1 } => {
-            let net = Net::from_boundary(&points(u0), &points(u1), &points(v0), &points(v1))?;
-            Ok(net.raised(method.raise))
+        Boundary::Tensor(sides) => Ok(sides.net()?.raised(method.raise)),
+        Boundary::Opposite(_) | Boundary::Triangle(_) => {
+            Err(MethodError::Unavailable { what: "this kind of boundary" })
         }
-        _ => Err(MethodError::Unavailable { what: "this kind of boundary" }),
     }
 }
 

@@ -3,7 +3,7 @@
 use solve::solve_rank;
 use surfaces::{Net, Point, Relation, harmonic_relations};
 
-use crate::{Boundary, MethodError, SolveFigures};
+use crate::{Boundary, Direction, MethodError, SolveFigures};
 
 /// Singular values below this fraction of the largest count as zero: far below those of solvable systems, far above
 /// rounding.
@@ -78,32 +78,30 @@ fn rank(relations: &[Relation], points: usize) -> Result<usize, MethodError> {
 /// The points of the net that the boundary prescribes.
 fn known_points(boundary: &Boundary, m: usize, n: usize) -> Result<Vec<Option<Point>>, MethodError> {
     let mut known = vec![None; (m + 1) * (n + 1)];
-    let mut row = |i: usize, points: &[[f64; 3]]| {
-        for (j, &p) in points.iter().enumerate() {
-            known[i * (n + 1) + j] = Some(Point::from(p));
+    let (rows, columns) = match boundary {
+        Boundary::Tensor(sides) => {
+            let [u0, u1, v0, v1] = sides.sides();
+            (Some([u0, u1]), Some([v0, v1]))
+        }
+        Boundary::Opposite(sides) => {
+            let pair = Some(sides.sides().each_ref());
+            match sides.direction() {
+                Direction::Rows => (pair, None),
+                Direction::Columns => (None, pair),
+            }
+        }
+        Boundary::Triangle(_) => {
+            return Err(MethodError::Unavailable { what: "a harmonic triangular net" });
         }
     };
-    match boundary {
-        Boundary::Rows { u0, u1, .. } => {
-            row(0, u0);
-            row(m, u1);
+    for (i, row) in [0, m].into_iter().zip(rows.into_iter().flatten()) {
+        for (j, &p) in row.iter().enumerate() {
+            known[i * (n + 1) + j] = Some(p);
         }
-        Boundary::Tensor { u0, u1, v0, v1 } => {
-            row(0, u0);
-            row(m, u1);
-            for i in 0..=m {
-                known[i * (n + 1)] = Some(Point::from(v0[i]));
-                known[i * (n + 1) + n] = Some(Point::from(v1[i]));
-            }
-        }
-        Boundary::Columns { v0, v1, .. } => {
-            for i in 0..=m {
-                known[i * (n + 1)] = Some(Point::from(v0[i]));
-                known[i * (n + 1) + n] = Some(Point::from(v1[i]));
-            }
-        }
-        Boundary::Triangle { .. } => {
-            return Err(MethodError::Unavailable { what: "a harmonic triangular net" });
+    }
+    for (j, column) in [0, n].into_iter().zip(columns.into_iter().flatten()) {
+        for (i, &p) in column.iter().enumerate() {
+            known[i * (n + 1) + j] = Some(p);
         }
     }
     Ok(known)

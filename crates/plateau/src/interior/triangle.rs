@@ -2,21 +2,21 @@
 
 use energy::{DenseForm, MetricForm};
 use solve::{Partition, solve_partitioned};
-use surfaces::{Point, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
+use surfaces::{TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
 use super::mask;
 use crate::{
-    AreaExtremal, Energy, Interior, Mask, Method, MethodError, Progress, SolveFigures, least_area_triangle,
+    AreaExtremal, Energy, Interior, Mask, Method, MethodError, Progress, SolveFigures, TriangleBoundary,
+    least_area_triangle,
 };
 
-/// Runs one method over the sides `ab`, `bc`, `ca`.
+/// Runs one method over three sides.
 pub(crate) fn solve(
     method: &Method,
-    [ab, bc, ca]: [&[[f64; 3]]; 3],
+    sides: &TriangleBoundary,
     progress: &dyn Progress,
 ) -> Result<(TrianglePatch, Option<SolveFigures>, Option<AreaExtremal>), MethodError> {
-    let points = |side: &[[f64; 3]]| side.iter().copied().map(Point::from).collect::<Vec<_>>();
-    let net = TriangleNet::from_boundary(&points(ab), &points(bc), &points(ca))?.raised(method.raise)?;
+    let net = sides.net()?.raised(method.raise)?;
     let (patch, figures) = match method.interior {
         Interior::Extremal { energy: Energy::Area, .. } => {
             progress.begin(&format!("least area of {}", method.name), None);
