@@ -1,13 +1,10 @@
 //! Sound experiment files become the plans they describe.
 
 use exchange::{DEFAULT_TOLERANCE, Format};
-use experiment::{Experiment, Output, PatchExperiment, Plan, Template};
+use experiment::{Experiment, Options, Output, PatchExperiment, Plan, Template, run};
 use plateau::{
     Basis, Boundary, CurveBasis, Deformation, DeformationPath, Direction, Energy, Interior, Mask, Method,
     Patch, Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
-};
-use plateau_cli::{
-    DEFAULT_TOLERANCE, Experiment, Format, Options, Output, PatchExperiment, Plan, Template, run,
 };
 
 fn plan(text: &str) -> Plan {
