@@ -94,9 +94,9 @@ pub enum MethodError {
     },
     /// The system of a high degree is beyond double precision.
     #[error(
-        "at degree {degree} the condition of the system of the interior is beyond double precision ({unknowns} unknowns, \
-         pivot {pivot} is not positive): take a lower degree; of the extremals only energy = \"dirichlet\" on tensor patches is \
-         solved at high degrees, masks and construction = \"discrete-coons\" stay sound"
+        "at degree {degree} the condition of the dense system of the interior is beyond double precision ({unknowns} unknowns, \
+         pivot {pivot} is not positive): on tensor patches leave out `solver`, which solves every extremal at every degree; \
+         triangular ones take a lower degree, or a mask or construction = \"discrete-coons\", which stay sound"
     )]
     Degree {
         /// The larger degree of the net.

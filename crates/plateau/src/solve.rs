@@ -63,7 +63,7 @@ fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result
             (patch, None, Some(found))
         }
         None => {
-            let (patch, figures) = extremal::solve(&patch, method)?;
+            let (patch, figures) = extremal::solve(&patch, method, shape)?;
             (patch, Some(figures), None)
         }
     };

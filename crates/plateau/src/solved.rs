@@ -34,12 +34,21 @@ pub struct SolveFigures {
     /// For the dense solver: whether the matrix is proved positive definite
     /// ([`proves_positive_definite`](solve::proves_positive_definite)), so that the net is the only extremal and a minimum.
     pub certified: Option<bool>,
+    /// For conjugate gradients: how far, at most, the parts of the extremal reach that no control net in doubles holds and that
+    /// were left out; share of the size of the boundary.
+    pub left_out: Option<f64>,
 }
 
 impl SolveFigures {
     /// Of nets given by a formula: nothing was solved.
-    pub(crate) const EXPLICIT: Self =
-        Self { solver: "explicit", residual: 0.0, condition: 1.0, basis_condition: None, certified: None };
+    pub(crate) const EXPLICIT: Self = Self {
+        solver: "explicit",
+        residual: 0.0,
+        condition: 1.0,
+        basis_condition: None,
+        certified: None,
+        left_out: None,
+    };
 
     /// Of the extremal of a form with some points fixed, by a dense factorisation.
     pub(crate) fn dense(
@@ -53,6 +62,7 @@ impl SolveFigures {
             residual: solution.residual,
             condition: solution.condition,
             basis_condition: None,
+            left_out: None,
             certified: Some(solve::proves_positive_definite(partition.free().len(), &block)?),
         })
     }

@@ -24,6 +24,9 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
     }
     if let Some(solve) = &solved.solve {
         of_solve(solve, &mut warnings);
+        if let Some(share) = solve.left_out.filter(|share| *share > CANCELLING) {
+            warnings.push(Warning::LeftOut { share });
+        }
     }
     let share = solved.surface.cancellation();
     if share > CANCELLING {

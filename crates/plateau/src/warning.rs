@@ -64,6 +64,15 @@ pub enum Warning {
         /// As LAPACK's tests scale it.
         residual: f64,
     },
+    /// Parts of an extremal of high degree that no control net can hold.
+    #[error(
+        "parts of the extremal that move no point by more than {share:.1e} of the size are left out: rounding of their control \
+         points would move it as far; a lower degree, or sides whose control points oscillate less, need none of them"
+    )]
+    LeftOut {
+        /// How far they reach, as a share of the size of the boundary.
+        share: f64,
+    },
     /// Control points far beyond the boundary.
     #[error(
         "the control points reach {:.0e} times as far out as the boundary: the surface is what their differences leave, and \

@@ -110,8 +110,10 @@ const CAUSES: &[(&str, &[&[&str]])] = &[
     (
         "high-degree",
         &[
-            &["Dirichlet: failed: the extremal of degree (40, 40) has control points", "lower degree"],
-            &["bending: failed: at degree 40 the condition", "lower degree"],
+            &["Dirichlet: parts of the extremal", "left out", "lower degree"],
+            &["Dirichlet: the control points reach 1e8 times as far out as the boundary"],
+            &["bending: parts of the extremal", "left out", "oscillate less"],
+            &["dense: failed: at degree 40 the condition", "leave out `solver`"],
         ],
     ),
 ];

@@ -5,6 +5,7 @@ use energy::{MetricForm, QuadraticForm};
 use solve::{Partition, Samples, Separable, solve_partitioned};
 use surfaces::{Net, Product, TensorPatch};
 
+use super::bubbles;
 use crate::{Energy, Interior, Method, MethodError, SolveFigures, SolverChoice};
 
 /// Degree from which the separable solver is both faster than a dense one and more accurate.
@@ -16,13 +17,24 @@ pub(crate) fn prefers_separable(net: &Net) -> bool {
     m.max(n) >= SEPARABLE_FROM
 }
 
+/// Degree from which extremals are solved for in bubbles: those whose variables separate by then in the families themselves, with
+/// twice the digits of a dense system, and the others.
+const BUBBLES_FROM: (usize, usize) = (21, 10);
+
+/// Whether the automatic choice is the solver in bubbles.
+fn prefers_bubbles(net: &Net, separates: bool) -> bool {
+    let (m, n) = net.degrees();
+    m.min(n) >= 2 && m.max(n) >= if separates { BUBBLES_FROM.0 } else { BUBBLES_FROM.1 }
+}
+
 /// `patch` with its free control points at the extremal of the method's energy, then its metric steps (TRI Prop. 5): each
 /// the extremal of the Dirichlet energy in the metric of the patch before.
 pub(crate) fn solve(
     patch: &TensorPatch,
     method: &Method,
+    shape: Option<[f64; 4]>,
 ) -> Result<(TensorPatch, SolveFigures), MethodError> {
-    let (mut solved, mut figures) = by_energy(patch, method)?;
+    let (mut solved, mut figures) = by_energy(patch, method, shape)?;
     if let Interior::Extremal { metric_steps, .. } = method.interior {
         for _ in 0..metric_steps {
             let metric = MetricForm::of_tensor(&solved, &solved)?;
@@ -33,18 +45,24 @@ pub(crate) fn solve(
 }
 
 /// The extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
-fn by_energy(patch: &TensorPatch, method: &Method) -> Result<(TensorPatch, SolveFigures), MethodError> {
+fn by_energy(
+    patch: &TensorPatch,
+    method: &Method,
+    shape: Option<[f64; 4]>,
+) -> Result<(TensorPatch, SolveFigures), MethodError> {
     let energy = method.extremal_energy().ok_or(MethodError::Unavailable { what: "this construction" })?;
     let functional = energy.functional().ok_or(MethodError::Unavailable { what: "the area here" })?;
     let net = patch.net();
-    if let (Energy::Dirichlet, [product]) = (energy, patch.products()) {
-        let chosen = match method.solver {
-            SolverChoice::Auto => prefers_separable(net),
-            choice => choice == SolverChoice::Separable,
-        };
-        if chosen {
-            return by_separation(patch, product);
-        }
+    let separates = energy == Energy::Dirichlet && patch.products().len() == 1;
+    let separated = match method.solver {
+        SolverChoice::Auto => separates && prefers_separable(net),
+        choice => choice == SolverChoice::Separable,
+    };
+    if prefers_bubbles(net, separates) && method.solver != SolverChoice::Dense {
+        return bubbles::extremal(patch, functional, method, shape);
+    }
+    if let ([product], true) = (patch.products(), separated) {
+        return by_separation(patch, product);
     }
     let matrix = QuadraticForm::of(functional, patch)?.matrix();
     by_matrix(patch, &matrix).map_err(|error| match error {
@@ -79,6 +97,7 @@ fn by_separation(patch: &TensorPatch, product: &Product) -> Result<(TensorPatch,
         condition: solution.condition,
         basis_condition: Some(solution.basis_condition),
         certified: None,
+        left_out: None,
     };
     Ok((patch.with_net(net.with_coordinates(&solution.x)?)?, figures))
 }

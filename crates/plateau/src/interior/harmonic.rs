@@ -59,8 +59,14 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
         _ => 1.0,
     };
     let residual = solution.residual / (points as f64 * f64::EPSILON);
-    let figures =
-        SolveFigures { solver: "rank", residual, condition, basis_condition: None, certified: None };
+    let figures = SolveFigures {
+        solver: "rank",
+        residual,
+        condition,
+        basis_condition: None,
+        certified: None,
+        left_out: None,
+    };
     Ok((Net::new(m + 1, n + 1, coordinates)?, figures))
 }
 

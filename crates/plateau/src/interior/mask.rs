@@ -36,6 +36,7 @@ pub(super) fn solve(
         condition: solution.condition,
         basis_condition: None,
         certified: None,
+        left_out: None,
     };
     Ok((solved, figures))
 }
