@@ -169,7 +169,9 @@ fn no_written_number_is_not_finite() {
     for (name, path) in fixtures() {
         let (plan, finished) = finished(&path);
         let delivered = deliver(&plan, &finished, out.path()).unwrap();
-        assert!(delivered.refusals.is_empty(), "{name}: {:?}", delivered.refusals);
+        // A surface in one point is none that STEP tells from a point.
+        let right = |reason: String| name == "coincident" && reason.contains("told apart from");
+        assert!(delivered.refusals.iter().all(|r| right(r.to_string())), "{name}: {:?}", delivered.refusals);
         for entry in fs::read_dir(&delivered.folder).unwrap() {
             let path = entry.unwrap().path();
             let kind = path.extension().unwrap().to_string_lossy().into_owned();
