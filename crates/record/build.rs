@@ -60,10 +60,13 @@ fn checked_out() -> Option<String> {
         // Where that is depends on the kind of checkout.
         watch(&answer("git", &["rev-parse", "--git-path", file])?);
     }
+    // What of them this package is made of, whose changes rebuild it anyway.
     for source in SOURCES {
-        // Folders with all that is in them; other packages need not be rebuilt for it.
-        for place in ["src", "build.rs", "Cargo.toml"] {
-            watch(&format!("../../{source}/{place}"));
+        for place in ["", "/src", "/build.rs", "/Cargo.toml"] {
+            let path = format!("../../{source}{place}");
+            if !place.is_empty() || Path::new(&path).is_file() {
+                watch(&path);
+            }
         }
     }
     let mut status = vec!["-C", "../..", "status", "--porcelain", "--untracked-files=no", "--"];

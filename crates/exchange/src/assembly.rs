@@ -1,115 +1,30 @@
 //! One boundary of the curves of a file.
 
-use surfaces::{BoundaryCurve, CurveError, Point};
-use thiserror::Error;
+use surfaces::Point;
 
-use crate::{CurveFile, Shape};
+use crate::CurveFile;
 
 mod corner;
 mod cycle_basis;
+mod error;
 mod face;
 mod gap;
 mod junction;
 mod loops;
 mod network;
+mod options;
 mod side;
 mod split;
+mod walk;
 mod weld;
 
+pub use error::AssemblyError;
+pub use options::AssemblyOptions;
+pub use side::Side;
+pub use walk::{Form, Walk};
+pub use weld::Weld;
+
 use network::Network;
-
-/// What is left open by a file of curves.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AssemblyOptions {
-    /// Ends of curves that lie at most this far apart are one point; by default [`Self::WELD`] of the size.
-    pub weld: Option<f64>,
-    /// A polyline has a corner where its direction turns by more than this, in degrees from 1 to 179.
-    pub corner_angle: f64,
-}
-
-impl AssemblyOptions {
-    /// Share of the size (the diagonal of the box around all curves) within which ends are welded.
-    pub const WELD: f64 = 1e-4;
-    /// Turn in degrees above which a polyline has a corner.
-    pub const CORNER_ANGLE: f64 = 30.0;
-}
-
-impl Default for AssemblyOptions {
-    fn default() -> Self {
-        Self { weld: None, corner_angle: Self::CORNER_ANGLE }
-    }
-}
-
-/// A curve between two vertices, or a closed one without any.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Side {
-    /// Its name, distinct from those of all others.
-    pub name: String,
-    /// The line of the file on which its first curve begins.
-    pub line: usize,
-    /// Indices of the vertices where it begins and ends.
-    pub ends: Option<[usize; 2]>,
-    /// What it is. Polylines and splines end in their vertices digit for digit; the points of a closed polyline end with the first.
-    pub shape: Shape,
-}
-
-impl Side {
-    /// The side as the boundary of a surface: straight sides and splines as they are, polylines of more points as samples of a
-    /// smooth curve that passes each within `tolerance` (a length).
-    ///
-    /// # Errors
-    /// [`CurveError`], for a tolerance that is not positive.
-    pub fn curve(&self, tolerance: f64) -> Result<BoundaryCurve, CurveError> {
-        match &self.shape {
-            Shape::Polyline(points) if points.len() == 2 => BoundaryCurve::polyline(points.clone()),
-            Shape::Polyline(points) => BoundaryCurve::through(points.clone(), tolerance),
-            Shape::Spline(spline) => Ok(spline.clone().into()),
-            Shape::Arc(arc) => Ok(arc.clone().into()),
-        }
-    }
-
-    /// Its control points, if it is one polynomial Bézier curve: a straight line or a spline without inner knots and weights.
-    pub fn control_points(&self) -> Option<&[Point]> {
-        match &self.shape {
-            Shape::Polyline(points) => (points.len() == 2).then_some(points),
-            Shape::Spline(spline) => {
-                let is_bezier = spline.weights().is_none() && spline.points().len() == spline.degree() + 1;
-                // Only where its knots end it in its first and last point.
-                (is_bezier && spline.knots()[0] == spline.knots()[spline.degree()]).then(|| spline.points())
-            }
-            Shape::Arc(_) => None,
-        }
-    }
-}
-
-/// A side on the way round a loop or a face.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Walk {
-    /// Index of the side.
-    pub side: usize,
-    /// Whether it is walked from its beginning to its end.
-    pub forward: bool,
-}
-
-/// How the sides hang together.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Form {
-    /// One loop or two; the first begins with the first curve of the file.
-    Loops(Vec<Vec<Walk>>),
-    /// A graph, three or more sides meeting in some vertices, and its faces.
-    Faces(Vec<Vec<Walk>>),
-}
-
-/// What was welded.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Weld {
-    /// The largest distance allowed.
-    pub tolerance: f64,
-    /// How many ends were moved.
-    pub count: usize,
-    /// The farthest any of them was moved.
-    pub largest: f64,
-}
 
 /// A boundary: sides between vertices, and loops or faces of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,34 +41,6 @@ pub struct Assembly {
     pub size: f64,
     /// Sentences a user should see.
     pub notes: Vec<String>,
-}
-
-/// Why curves make no boundary.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
-pub enum AssemblyError {
-    /// A number of the options.
-    #[error("{name} = {value}: {expected}")]
-    Option {
-        /// The option.
-        name: &'static str,
-        /// What was given.
-        value: f64,
-        /// What may be given.
-        expected: &'static str,
-    },
-    /// All points of all curves are one point, or their box is too large for a number.
-    #[error("the curves have no size: all their points are the same, or too far apart")]
-    NoSize,
-    /// Ends of curves that meet nothing.
-    #[error("{0}")]
-    Gap(String),
-    /// More than can be understood without being told.
-    #[error("{0}")]
-    Ambiguous(String),
-    /// Too much work.
-    #[error("{0}")]
-    TooMany(String),
 }
 
 impl Assembly {

@@ -275,6 +275,8 @@ fn results_are_as_readable_as_the_user_wants_his_files() {
     use std::os::unix::fs::PermissionsExt;
     let folder = folder();
     for (mask, mode) in [("022", 0o644), ("077", 0o600), ("002", 0o664)] {
+        // A file that is replaced passes its permissions on.
+        let _ = fs::remove_dir_all(folder.path().join("out"));
         let output = shell(folder.path(), &format!("umask {mask}; exec \"$0\" run a.toml"));
         assert!(output.status.success(), "{output:?}");
         let metadata = fs::metadata(folder.path().join("out/a/result.json")).unwrap();

@@ -17,6 +17,7 @@ mod reproduce;
 mod result;
 mod result_reader;
 mod result_size;
+mod schema;
 mod verification;
 
 pub use atomic::Claim;
@@ -28,6 +29,7 @@ pub use export::{DeliverError, ExportError};
 pub use folder::{folder, folder_key};
 pub use manifest::{Manifest, Origin};
 pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};
-pub use result::{ResultFile, SCHEMA};
+pub use result::ResultFile;
 pub use result_reader::{ReadError, StoredMethod, StoredResult};
+pub use schema::SCHEMA;
 pub use verification::{Difference, Level, Verification, Verified, VerifyError, verify};

@@ -1,22 +1,21 @@
 //! `result.json`, the record of an experiment for other programs.
 
 use serde::{Deserialize, Serialize};
-use surfaces::{Net, TriangleNet};
+use surfaces::TriangleNet;
 
-use crate::Manifest;
+use crate::{Manifest, SCHEMA};
 use exchange::SurfaceForm;
 use experiment::{Finished, Missed, Plan};
 use plateau::MethodResult;
 use plateau::{SearchOutcome, SearchRun, Surface};
 
 mod curve;
+mod net;
 mod pieces;
 
 use curve::CurveEntry;
+use net::rows;
 use pieces::{DomainEntry, PieceEntry, piece_entries, single_net};
-
-/// The version of the layout; the number after the slash changes only if a program reading it would break.
-pub const SCHEMA: &str = "plateau-result/1";
 
 /// The whole file. Numbers are written with all their digits; keys without a meaning are left out, and no number
 /// that is not finite ever appears.
@@ -388,13 +387,6 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         files: Vec::new(),
         warnings: done.warnings.iter().map(ToString::to_string).collect(),
     }))
-}
-
-fn rows(net: &Net) -> Vec<Vec<[f64; 3]>> {
-    net.points()
-        .chunks_exact(net.cols())
-        .map(|row| row.iter().copied().map(<[f64; 3]>::from).collect())
-        .collect()
 }
 
 fn indexed(net: &TriangleNet) -> Vec<IndexedPoint> {

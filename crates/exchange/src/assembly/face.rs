@@ -3,7 +3,7 @@
 use surfaces::Point;
 
 use super::cycle_basis::{self, Arc};
-use super::loops::named;
+use super::walk::named;
 use super::{AssemblyError, Side, Walk};
 
 /// Most paths between junctions.

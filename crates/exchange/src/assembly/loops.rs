@@ -2,6 +2,7 @@
 
 use surfaces::Point;
 
+use super::walk::named;
 use super::{AssemblyError, Form, Side, Walk, face};
 
 /// Loops where every vertex has two sides, else a graph with faces.
@@ -73,10 +74,4 @@ fn loops(sides: &[Side], at: &[Vec<usize>]) -> Vec<Vec<Walk>> {
             .all(|walk| sides[walk.side].ends.is_none_or(|ends| ends.iter().all(|v| at[*v].len() == 2)))
     });
     loops
-}
-
-/// A loop by the names of its first sides.
-pub(super) fn named(sides: &[Side], walks: &[Walk]) -> String {
-    let names: Vec<&str> = walks.iter().take(4).map(|walk| sides[walk.side].name.as_str()).collect();
-    format!("{}{}", names.join(" "), if walks.len() > 4 { " …" } else { "" })
 }

@@ -2,11 +2,52 @@
 
 use std::collections::HashMap;
 
-use surfaces::{Point, SplineCurve};
+use surfaces::{BoundaryCurve, CurveError, Point, SplineCurve};
 
-use super::Side;
 use super::network::Network;
 use crate::{CurveFile, Shape};
+
+/// A curve between two vertices, or a closed one without any.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Side {
+    /// Its name, distinct from those of all others.
+    pub name: String,
+    /// The line of the file on which its first curve begins.
+    pub line: usize,
+    /// Indices of the vertices where it begins and ends.
+    pub ends: Option<[usize; 2]>,
+    /// What it is. Polylines and splines end in their vertices digit for digit; the points of a closed polyline end with the first.
+    pub shape: Shape,
+}
+
+impl Side {
+    /// The side as the boundary of a surface: straight sides and splines as they are, polylines of more points as samples of a
+    /// smooth curve that passes each within `tolerance` (a length).
+    ///
+    /// # Errors
+    /// [`CurveError`], for a tolerance that is not positive.
+    pub fn curve(&self, tolerance: f64) -> Result<BoundaryCurve, CurveError> {
+        match &self.shape {
+            Shape::Polyline(points) if points.len() == 2 => BoundaryCurve::polyline(points.clone()),
+            Shape::Polyline(points) => BoundaryCurve::through(points.clone(), tolerance),
+            Shape::Spline(spline) => Ok(spline.clone().into()),
+            Shape::Arc(arc) => Ok(arc.clone().into()),
+        }
+    }
+
+    /// Its control points, if it is one polynomial Bézier curve: a straight line or a spline without inner knots and weights.
+    pub fn control_points(&self) -> Option<&[Point]> {
+        match &self.shape {
+            Shape::Polyline(points) => (points.len() == 2).then_some(points),
+            Shape::Spline(spline) => {
+                let is_bezier = spline.weights().is_none() && spline.points().len() == spline.degree() + 1;
+                // Only where its knots end it in its first and last point.
+                (is_bezier && spline.knots()[0] == spline.knots()[spline.degree()]).then(|| spline.points())
+            }
+            Shape::Arc(_) => None,
+        }
+    }
+}
 
 /// Share of the size by which points of a straight line may lie beside it: rounding, no more.
 const STRAIGHT: f64 = 1e-12;

@@ -4,8 +4,19 @@ use std::collections::HashMap;
 
 use surfaces::Point;
 
+use super::AssemblyError;
 use super::network::Network;
-use super::{AssemblyError, Weld};
+
+/// What was welded.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Weld {
+    /// The largest distance allowed.
+    pub tolerance: f64,
+    /// How many ends were moved.
+    pub count: usize,
+    /// The farthest any of them was moved.
+    pub largest: f64,
+}
 
 /// Most pairs of points looked at.
 const MOST_PAIRS: usize = 4_000_000;

@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::limits::{self, MOST_CURVES, MOST_POINTS};
-use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape};
+use super::{CurveFile, CurveFileError, FileCurve, Kind};
 
 mod curve;
 mod part21;
@@ -173,6 +173,3 @@ fn name_of(entities: &[Entity]) -> String {
     });
     text.filter(|name| !name.eq_ignore_ascii_case("none")).unwrap_or_default()
 }
-
-/// A curve and the line of its instance.
-type Placed = (usize, Shape);

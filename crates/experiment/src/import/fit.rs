@@ -3,7 +3,10 @@
 use bases::{Basis, Bernstein};
 use surfaces::Point;
 
-use super::{MAX_DEGREE, MOST_SAMPLES};
+use plateau::MAX_DEGREE;
+
+/// Most samples of a side that is fitted.
+const MOST_SAMPLES: usize = 5000;
 
 /// Most corrections of the parameters of the samples.
 const CORRECTIONS: usize = 50;

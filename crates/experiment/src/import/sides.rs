@@ -2,11 +2,14 @@
 
 use std::fmt::Write;
 
-use exchange::{Assembly, AssemblyOptions, CurveFile, Form};
+use exchange::{Assembly, AssemblyOptions, CurveFile, Form, Shape};
 use surfaces::{Bezier, Point};
 
 use super::fit::Fit;
-use super::{CornerGap, ImportError, ImportOptions, MANY, polylines, printed};
+use super::{CornerGap, ImportError, ImportOptions, printed};
+
+/// Most points of a side that are taken as control points without a word.
+const MANY: usize = 13;
 
 /// Names of the sides, in the order in which they run around the boundary; whether the experiment has them in that sense.
 const TENSOR: [(&str, bool); 4] = [("u0", true), ("v1", true), ("u1", false), ("v0", false)];
@@ -82,7 +85,7 @@ impl Sides {
         let sides: Vec<_> = walks.iter().map(|walk| &assembly.sides[walk.side]).collect();
         let is_exact =
             |side: &exchange::Side| side.control_points().is_some_and(|points| points.len() <= MANY);
-        let is_sampled = |side: &exchange::Side| matches!(side.shape, exchange::Shape::Polyline(_));
+        let is_sampled = |side: &exchange::Side| matches!(side.shape, Shape::Polyline(_));
         if !sides.iter().all(|side| is_exact(side) || (is_sampled(side) && options.degree.is_some())) {
             return Ok(None);
         }
@@ -275,4 +278,15 @@ fn is_point(points: &[Point]) -> bool {
 
 fn last(points: &[Point]) -> Point {
     points.last().copied().unwrap_or_default()
+}
+
+/// The polylines of a file, if it has nothing else.
+fn polylines(file: &CurveFile) -> Option<Vec<(&str, &[Point])>> {
+    file.curves
+        .iter()
+        .map(|curve| match &curve.shape {
+            Shape::Polyline(points) if !curve.closes => Some((curve.name.as_str(), points.as_slice())),
+            Shape::Polyline(_) | Shape::Spline(_) | Shape::Arc(_) => None,
+        })
+        .collect()
 }

@@ -1,12 +1,16 @@
 //! The boundary of a patch: the control points that are given.
 
+mod corner;
 mod error;
+mod limits;
 mod opposite;
 mod side;
 mod tensor;
 mod triangle;
 
+pub use corner::Corner;
 pub use error::{BoundaryError, Gap};
+pub use limits::{MAX_COORDINATE, MAX_DEGREE, MIN_SIZE};
 pub use opposite::{Direction, OppositeSides};
 pub use tensor::TensorBoundary;
 pub use triangle::TriangleBoundary;
@@ -14,24 +18,6 @@ pub use triangle::TriangleBoundary;
 use surfaces::{Point, extent};
 
 use crate::Warning;
-
-/// Highest degree of a control net, in each direction, after `raise`.
-///
-/// Gram matrices of Bernstein-like bases are singular in `f64` long before this degree; the limit
-/// keeps the time and memory of a solve bounded, it promises no accuracy.
-pub const MAX_DEGREE: usize = 64;
-
-/// Largest admissible |coordinate| of a control point.
-///
-/// Areas are roots of products of four lengths, curvatures quotients of such products: within the limits all of them are
-/// finite, at any degree, and none is lost to underflow.
-pub const MAX_COORDINATE: f64 = 1e60;
-
-/// Least admissible size of a boundary: the largest |coordinate| of its control points, unless all are 0.
-pub const MIN_SIZE: f64 = 1e-60;
-
-/// A corner: its name and the two sides that begin or (true) end there, by their places among the sides.
-pub type Corner = (&'static str, [(usize, bool); 2]);
 
 /// The fixed control points of a net.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use surfaces::Pieces;
 
-use super::rows;
+use super::net::rows;
 
 /// One patch of a surface that was cut: its intervals in the parameters of the whole, and its net.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -6,8 +6,9 @@ use base64::prelude::{BASE64_STANDARD, Engine};
 use surfaces::Domain;
 
 use super::axis::{Axis, frame};
+use super::panels::arrange;
 use super::svg::{Anchor, Font, INK, Length, Svg, path, shortened};
-use super::{Picture, arrange, colour_bar};
+use super::{Picture, colour_bar};
 use crate::colour;
 use crate::number::number;
 use crate::scene::{Field, Scene, Shown, spread};

@@ -5,27 +5,17 @@ pub(crate) mod colour_bar;
 mod convergence;
 mod curvature;
 mod deformation;
+mod drawing;
 mod map;
+mod panels;
 mod svg;
 mod view;
 
+pub use drawing::{PICTURES, Picture};
 pub(crate) use svg::Escaped;
 
 use crate::scene::Scene;
 use plateau::Results;
-
-/// The names of all pictures there are.
-pub const PICTURES: [&str; 5] = ["surfaces", "deformation", "mean-curvature", "convergence", "curvature"];
-
-/// A picture with its name.
-pub struct Picture {
-    /// The name of its file, without `.svg`; one of [`PICTURES`].
-    pub name: &'static str,
-    /// What it shows, in a sentence.
-    pub caption: String,
-    /// The whole file.
-    pub svg: String,
-}
 
 /// All pictures that an experiment gives rise to, in the order of a report. Those with nothing to show are left out: a
 /// minimal surface has no mean curvature.
@@ -41,10 +31,4 @@ pub fn pictures(results: &Results, scene: Option<&Scene<'_>>) -> Vec<Picture> {
     pictures.extend(convergence::picture(results));
     pictures.extend(results.curve.as_ref().and_then(curvature::picture));
     pictures
-}
-
-/// Columns and rows for so many panels, at most `most` in a row and rows as even as possible.
-fn arrange(panels: usize, most: usize) -> [usize; 2] {
-    let rows = panels.div_ceil(most).max(1);
-    [panels.div_ceil(rows).max(1), rows]
 }

@@ -2,8 +2,9 @@
 
 use surfaces::Point;
 
+use super::panels::arrange;
 use super::svg::{Anchor, FAINT, Font, INK, Length, Svg, path, shortened};
-use super::{Picture, arrange, colour_bar};
+use super::{Picture, colour_bar};
 use crate::colour;
 use crate::number::Form;
 use crate::scene::{Field, LARGEST_NET, Scene, Shown, spread};

@@ -2,9 +2,11 @@
 
 use surfaces::{EllipseArc, Point, SplineCurve};
 
-use super::Placed;
 use super::part21::{Entity, Part21, Value};
 use crate::curves::{CurveFileError, Shape, limits, trim};
+
+/// A curve and the line of its instance.
+type Placed = (usize, Shape);
 
 /// Deepest nesting of curves made of curves.
 const DEEPEST: usize = 16;

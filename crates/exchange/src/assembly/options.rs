@@ -1,0 +1,21 @@
+/// What is left open by a file of curves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AssemblyOptions {
+    /// Ends of curves that lie at most this far apart are one point; by default [`Self::WELD`] of the size.
+    pub weld: Option<f64>,
+    /// A polyline has a corner where its direction turns by more than this, in degrees from 1 to 179.
+    pub corner_angle: f64,
+}
+
+impl AssemblyOptions {
+    /// Share of the size (the diagonal of the box around all curves) within which ends are welded.
+    pub const WELD: f64 = 1e-4;
+    /// Turn in degrees above which a polyline has a corner.
+    pub const CORNER_ANGLE: f64 = 30.0;
+}
+
+impl Default for AssemblyOptions {
+    fn default() -> Self {
+        Self { weld: None, corner_angle: Self::CORNER_ANGLE }
+    }
+}

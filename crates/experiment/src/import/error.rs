@@ -1,0 +1,76 @@
+use std::io;
+
+use exchange::{AssemblyError, CurveFileError};
+use thiserror::Error;
+
+/// Why no boundary could be made of a file.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ImportError {
+    /// The file system.
+    #[error("cannot be read: {0}")]
+    Io(#[from] io::Error),
+    /// The file is not understood.
+    #[error("{0}")]
+    File(#[from] CurveFileError),
+    /// Its curves make no boundary.
+    #[error("{0}")]
+    Assembly(#[from] AssemblyError),
+    /// A number of the options.
+    #[error("{0}")]
+    Option(String),
+    /// A side has many points, and nothing says what they are.
+    #[error(
+        "{side} has {count} points, and what they are has to be said: points on the curve, then `--degree 6` fits curves of degree 6 to \
+         the points of every side; or control points of a curve of degree {}, then `--control-points`",
+        count - 1
+    )]
+    Ask {
+        /// The side.
+        side: String,
+        /// How many points.
+        count: usize,
+    },
+    /// The ends of two sides are apart.
+    #[error("{0}")]
+    Corner(Box<CornerGap>),
+    /// A side cannot be fitted.
+    #[error("{side}: {why}")]
+    Fit {
+        /// Its name.
+        side: String,
+        /// Why, and what to do.
+        why: String,
+    },
+    /// The boundary is not one of an experiment.
+    #[error("the points make no sound experiment: {0}")]
+    Plan(String),
+}
+
+/// Two sides that should meet and do not.
+#[derive(Debug, Error)]
+#[error(
+    "{first} and {second} should meet in a corner, but {first} ends at {end:?} and {second} begins at {begin:?}, {gap:.3e} apart: \
+     ends within {tolerance:.1e} are welded, `--weld {wide}` joins these{}",
+    if *named { "; sides of these names run as in an experiment, under other names they are chained by their ends, in any order \
+     and sense" } else { "" }
+)]
+#[non_exhaustive]
+pub struct CornerGap {
+    /// One side.
+    pub first: String,
+    /// The other.
+    pub second: String,
+    /// The end of the first.
+    pub end: [f64; 3],
+    /// The beginning of the second.
+    pub begin: [f64; 3],
+    /// Their distance.
+    pub gap: f64,
+    /// The largest that is welded.
+    pub tolerance: f64,
+    /// One that welds them.
+    pub wide: String,
+    /// Whether they have the names of sides of experiments, which say how they run.
+    pub named: bool,
+}

@@ -1,0 +1,40 @@
+use exchange::AssemblyOptions;
+use plateau::MAX_DEGREE;
+
+use super::ImportError;
+
+/// What a file of curves leaves open.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ImportOptions {
+    /// The points of polylines are samples: each side is the curve of this degree nearest to them.
+    pub degree: Option<usize>,
+    /// The points of polylines are control points, however many.
+    pub control_points: bool,
+    /// How far the curve of a side of many samples may pass from them; by default [`Self::TOLERANCE`] of the size.
+    pub tolerance: Option<f64>,
+    /// Welding and corners.
+    pub assembly: AssemblyOptions,
+}
+
+impl ImportOptions {
+    /// Share of the size (the diagonal of the box around all curves) by which curves may pass from samples.
+    pub const TOLERANCE: f64 = 1e-4;
+
+    pub(super) fn check(&self) -> Result<(), ImportError> {
+        if self.degree.is_some() && self.control_points {
+            let why = "--degree says that the points are on the curves, --control-points that they are not: give one of them";
+            return Err(ImportError::Option(why.into()));
+        }
+        if let Some(degree) = self.degree.filter(|degree| !(1..=MAX_DEGREE).contains(degree)) {
+            return Err(ImportError::Option(format!(
+                "degree {degree} is not offered; 1 to {MAX_DEGREE} are"
+            )));
+        }
+        match self.tolerance.filter(|tolerance| !(*tolerance > 0.0 && tolerance.is_finite())) {
+            Some(tolerance) => {
+                Err(ImportError::Option(format!("--tolerance {tolerance}: it is a length above 0")))
+            }
+            None => Ok(()),
+        }
+    }
+}
