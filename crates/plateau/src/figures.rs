@@ -36,20 +36,32 @@ impl Figures {
     /// # Errors
     /// As [`energy::integrate`].
     pub fn of(patch: &dyn Patch, mesh: &Mesh) -> Result<Self, EnergyError> {
-        let area = area(patch)?;
-        let [dirichlet] = integrate(patch, TOLERANCE, [0.0], |jet| [jet.dirichlet_density()])?;
+        Self::of_all(&[patch], mesh)
+    }
+
+    /// The figures of a surface of several patches: energies and areas are summed over them, each over its own parameters.
+    /// `mesh` is a mesh of all.
+    ///
+    /// # Errors
+    /// As [`energy::integrate`].
+    pub fn of_all(patches: &[&dyn Patch], mesh: &Mesh) -> Result<Self, EnergyError> {
+        let [area] = summed(patches, |patch| Ok([area(patch)?]))?;
+        let [dirichlet] =
+            summed(patches, |patch| integrate(patch, TOLERANCE, [0.0], |jet| [jet.dirichlet_density()]))?;
         let scale = dirichlet.value;
-        let [laplacian_defect, bending] = integrate(patch, TOLERANCE, [scale; 2], |jet| {
+        let second = |jet: &Jet| {
             let laplacian = jet.laplacian();
             [laplacian.dot(laplacian), jet.uu.dot(jet.uu) + 2.0 * jet.uv.dot(jet.uv) + jet.vv.dot(jet.vv)]
-        })?;
+        };
+        let [laplacian_defect, bending] =
+            summed(patches, |patch| integrate(patch, TOLERANCE, [scale; 2], second))?;
         // What is no more than the rounding of the tangents is no area, and no curvature comes of it.
         let size = mesh.points.iter().map(|p| p.norm()).fold((2.0 * dirichlet.value).sqrt(), f64::max);
         let has_area = area.value > ROUNDING * size * dirichlet.value.sqrt();
         // ∫H² has no unit: measured against 1. It may diverge at singular points; then it stays unsettled.
         let willmore = |jet: &Jet| [jet.mean_curvature().map_or(0.0, |h| h * h * jet.area_density())];
         let square = match has_area {
-            true => Some(integrate(patch, 1e-6, [1.0], willmore)?[0]),
+            true => Some(summed(patches, |patch| integrate(patch, 1e-6, [1.0], willmore))?[0]),
             false => None,
         };
         let rms = square.filter(|s| s.settled).map(|s| (s.value / area.value).sqrt());
@@ -65,4 +77,21 @@ impl Figures {
             mean_curvature_square: square,
         })
     }
+}
+
+/// K integrals over several patches, their errors added; settled if all are.
+fn summed<const K: usize>(
+    patches: &[&dyn Patch],
+    of: impl Fn(&dyn Patch) -> Result<[Integral; K], EnergyError>,
+) -> Result<[Integral; K], EnergyError> {
+    let mut sums = [Integral { value: 0.0, error: 0.0, points: 0, settled: true }; K];
+    for &patch in patches {
+        for (sum, part) in sums.iter_mut().zip(of(patch)?) {
+            sum.value += part.value;
+            sum.error += part.error;
+            sum.points = sum.points.max(part.points);
+            sum.settled &= part.settled;
+        }
+    }
+    Ok(sums)
 }

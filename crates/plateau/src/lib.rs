@@ -49,6 +49,7 @@ mod method;
 mod outcome;
 mod progress;
 mod quantity;
+mod seams;
 mod search;
 mod solve;
 mod solved;
@@ -79,6 +80,7 @@ pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoi
 pub use outcome::{Done, MethodResult, Results};
 pub use progress::Progress;
 pub use quantity::Quantity;
+pub use seams::{Kink, Seams};
 pub use search::{MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchMode, SearchOutcome, SearchRun, Variant};
 pub use solve::solve;
 pub use solved::{SolveFigures, Solved};

@@ -120,6 +120,49 @@ fn any_loop_can_be_cut_in_every_way_it_has_corners_for() {
     assert!(matches!(refused, Err(CuttingError::Unsuitable { .. })));
 }
 
+/// Nothing of a flat loop lies outside it, and no quad turns over: every corner of every quad turns the same way.
+fn assert_flat_quads(cut: &CutBoundary) {
+    for face in cut.complex().faces() {
+        let corners = face.vertices().map(|vertex| cut.complex().points()[vertex]);
+        for k in 0..4 {
+            let [a, b, c] = [0, 1, 2].map(|j| corners[(k + j) % 4]);
+            assert!((b - a).cross(c - b).z > 0.0, "{:?} {corners:?}", face.vertices());
+        }
+    }
+}
+
+#[test]
+fn loops_that_look_in_have_convex_parts() {
+    let ell = [[0., 0., 0.], [2., 0., 0.], [2., 1., 0.], [1., 1., 0.], [1., 2., 0.], [0., 2., 0.]];
+    let u = [[0., 0.], [3., 0.], [3., 3.], [2., 3.], [2., 1.], [1., 1.], [1., 3.], [0., 3.]]
+        .map(|[x, y]| [x, y, 0.]);
+    let comb = [
+        [0., 0.],
+        [5., 0.],
+        [5., 2.],
+        [4., 2.],
+        [4., 1.],
+        [3., 1.],
+        [3., 2.],
+        [2., 2.],
+        [2., 1.],
+        [1., 1.],
+        [1., 2.],
+        [0., 2.],
+    ]
+    .map(|[x, y]| [x, y, 0.]);
+    for (around, parts) in [(polygon(&ell), 8), (polygon(&u), 12), (polygon(&comb), 24)] {
+        let cut = cutting(4).with_way(Way::Parts).loops(from_ref(&around)).unwrap();
+        assert_eq!((cut.way(), euler(cut.complex())), (Way::Parts, 1));
+        assert!(cut.complex().faces().len() <= parts, "{}", cut.complex().faces().len());
+        assert_flat_quads(&cut);
+        assert_rim_is(&cut, &[around], 0.05);
+    }
+    let crossed = polygon(&[[0., 0., 0.], [2., 2., 0.], [2., 0., 0.], [0., 1.9, 0.]]);
+    let refused = cutting(4).with_way(Way::Parts).loops(&[crossed]);
+    assert!(matches!(refused, Err(CuttingError::Unsuitable { .. })));
+}
+
 #[test]
 fn two_loops_make_an_annulus() {
     let loops = [circle(1.0, -0.3), circle(1.0, 0.3)];
@@ -342,6 +385,17 @@ proptest! {
     fn any_two_loops_make_an_annulus(a in wild(), b in wild()) {
         let cut = cutting(4).loops(&[a.clone(), b.clone()]).unwrap();
         prop_assert_eq!(euler(cut.complex()), 0);
+        rim(cut.complex());
+    }
+
+    /// A star-shaped flat polygon, however deep its corners.
+    #[test]
+    fn flat_loops_have_convex_parts(radii in prop::collection::vec(0.2..1.0f64, 3..14)) {
+        let angle = |k: usize| TAU * k as f64 / radii.len() as f64;
+        let corner = |(k, r): (usize, &f64)| [r * libm::cos(angle(k)), r * libm::sin(angle(k)), 0.0];
+        let around = polygon(&radii.iter().enumerate().map(corner).collect::<Vec<_>>());
+        let cut = cutting(4).with_way(Way::Parts).loops(from_ref(&around)).unwrap();
+        prop_assert_eq!(euler(cut.complex()), 1);
         rim(cut.complex());
     }
 

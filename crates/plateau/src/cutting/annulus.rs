@@ -7,7 +7,7 @@ use super::{Cutting, CuttingError, Loop, Quads, Way};
 pub(super) fn cut(first: &Loop, second: &Loop, cutting: &Cutting) -> Result<Quads, CuttingError> {
     match cutting.way {
         None | Some(Way::Annulus) => {}
-        Some(Way::Grid | Way::Midpoint | Way::Ring | Way::TurnedRing | Way::Faces) => {
+        Some(Way::Grid | Way::Midpoint | Way::Ring | Way::TurnedRing | Way::Parts | Way::Faces) => {
             return Err(CuttingError::Unsuitable {
                 asked: "cutting a disc or faces",
                 needs: "one loop or a graph",

@@ -3,7 +3,7 @@
 use super::blueprint::Blueprint;
 use super::polygon::Cut;
 use super::rim::Rim;
-use super::{Cutting, CuttingError, Loop, Quads, Way};
+use super::{Cutting, CuttingError, Loop, Quads, Way, parts};
 
 /// Most pieces of a side of a grid or of midpoint subdivision that is chosen, not asked for: the number of quads grows with
 /// its square, that of a ring in proportion.
@@ -13,6 +13,9 @@ pub(super) fn cut(around: &Loop, cutting: &Cutting) -> Result<Quads, CuttingErro
     let rim = Rim::new(around, cutting)?;
     let corners = rim.corner_vertices();
     let way = cutting.way.unwrap_or_else(|| chosen(&rim, &corners));
+    if way == Way::Parts {
+        return parts::cut(rim, cutting);
+    }
     let (deviation, count) = (rim.deviation, corners.len());
     let blueprint = match way {
         Way::Grid if count == 4 => grid(rim, &corners),
@@ -26,7 +29,7 @@ pub(super) fn cut(around: &Loop, cutting: &Cutting) -> Result<Quads, CuttingErro
             return Err(CuttingError::Unsuitable { asked, needs });
         }
         Way::Annulus => return Err(CuttingError::Unsuitable { asked: "an annulus", needs: "two loops" }),
-        Way::Faces => {
+        Way::Faces | Way::Parts => {
             return Err(CuttingError::Unsuitable { asked: "cutting by faces", needs: "a graph of curves" });
         }
     };

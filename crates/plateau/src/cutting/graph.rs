@@ -212,8 +212,8 @@ impl CurveGraph {
 pub(super) fn cut(graph: &CurveGraph, cutting: &Cutting) -> Result<(Quads, f64), CuttingError> {
     match cutting.way {
         None | Some(Way::Faces | Way::Midpoint | Way::Ring | Way::TurnedRing) => {}
-        Some(Way::Grid | Way::Annulus) => {
-            let (asked, needs) = ("one patch or an annulus", "loops; faces are cut one by one");
+        Some(Way::Grid | Way::Annulus | Way::Parts) => {
+            let (asked, needs) = ("one patch, an annulus or parts", "loops; faces are cut one by one");
             return Err(CuttingError::Unsuitable { asked, needs });
         }
     }
@@ -261,7 +261,7 @@ pub(super) fn cut(graph: &CurveGraph, cutting: &Cutting) -> Result<(Quads, f64),
             Some(Way::Ring) => Cut::Ring,
             Some(Way::TurnedRing) => Cut::TurnedRing,
             Some(Way::Midpoint) => Cut::Fan,
-            None | Some(Way::Faces | Way::Grid | Way::Annulus) => {
+            None | Some(Way::Faces | Way::Grid | Way::Annulus | Way::Parts) => {
                 if has_tame_corners(&blueprint, &ring, half, cutting) { Cut::Fan } else { Cut::Ring }
             }
         };

@@ -7,6 +7,7 @@ mod disc;
 mod error;
 mod graph;
 mod options;
+mod parts;
 mod polygon;
 mod quads;
 mod rim;

@@ -15,6 +15,8 @@ pub enum Way {
     Ring,
     /// The same with the corners of the inner polygon over the middles of the sides.
     TurnedRing,
+    /// Convex parts between straight lines from vertex to vertex, each cut by its middle.
+    Parts,
     /// A ring of quads between two loops.
     Annulus,
     /// Each face of a graph by itself: by its middle, with a ring where its corners are blunt or sharp.
@@ -69,10 +71,10 @@ impl Cutting {
         self
     }
 
-    /// Cuts in the given way, whatever the corners are like.
+    /// Cuts in the given way, whatever the corners are like; None leaves it to them.
     #[must_use]
-    pub fn with_way(mut self, way: Way) -> Self {
-        self.way = Some(way);
+    pub fn with_way(mut self, way: impl Into<Option<Way>>) -> Self {
+        self.way = way.into();
         self
     }
 }

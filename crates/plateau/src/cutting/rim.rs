@@ -116,7 +116,7 @@ impl Rim {
     }
 
     /// The unit normal of the plane onto which the loop's projection has the largest area, if that is any to speak of.
-    fn normal(&self) -> Option<Point> {
+    pub(super) fn normal(&self) -> Option<Point> {
         let points: Vec<Point> =
             self.pieces.iter().flat_map(|piece| (0..8).map(|k| piece.point(f64::from(k) / 8.0))).collect();
         let center = points.iter().fold(Point::ZERO, |sum, &p| sum + p) * (1.0 / points.len() as f64);

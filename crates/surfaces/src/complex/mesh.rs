@@ -6,8 +6,8 @@ use crate::{Mesh, Patch, Point};
 /// A triangle mesh of a complex whose vertices on edges are shared by all faces there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComplexMesh {
-    /// The triangles. Parameters, curvatures and, where faces do not agree on it, the side of the normal are those of the
-    /// first face at a vertex; normals are the means of those of all faces there.
+    /// The triangles. At a vertex of several faces the parameters are those of the first, the normal is the mean of theirs,
+    /// and the curvatures are those farthest from 0.
     pub mesh: Mesh,
     /// The face of every triangle.
     pub faces: Vec<usize>,
@@ -52,9 +52,9 @@ impl Complex {
                 if !std::mem::replace(&mut met[node], true) {
                     mesh.points[node] = jet.point;
                     mesh.parameters[node] = [steps[k / (n + 1)], steps[k % (n + 1)]];
-                    mesh.mean_curvature[node] = jet.mean_curvature().map(|h| h * sign);
-                    mesh.gauss_curvature[node] = jet.gauss_curvature();
                 }
+                farther(&mut mesh.mean_curvature[node], jet.mean_curvature().map(|h| h * sign));
+                farther(&mut mesh.gauss_curvature[node], jet.gauss_curvature());
             }
             for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
                 let at = |i: usize, j: usize| nodes[(n + 1) * i + j] as u32;
@@ -77,6 +77,13 @@ impl Complex {
         let run =
             |edge: usize| layout.run(edge, layout.edges[edge].ends()).into_iter().map(|k| k as u32).collect();
         Ok(ComplexMesh { mesh, faces, edges: (0..layout.edges.len()).map(run).collect() })
+    }
+}
+
+/// Keeps the value farther from 0, if there is one.
+fn farther(kept: &mut Option<f64>, found: Option<f64>) {
+    if found.is_some_and(|found| kept.is_none_or(|kept| found.abs() > kept.abs())) {
+        *kept = found;
     }
 }
 

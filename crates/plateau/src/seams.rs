@@ -1,0 +1,124 @@
+//! Figures of a surface of several patches: what happens between and within them.
+
+use std::f64::consts::FRAC_PI_2;
+
+use bases::GaussLegendre;
+use surfaces::{Complex, EdgeUse, Patch, Point, TensorPatch};
+
+use crate::MethodError;
+
+/// How smoothly the patches of a complex meet, and how evenly each is run through.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seams {
+    /// The angles between the normals across the edges of two faces. None if there is no such edge, or a patch is singular
+    /// inside one.
+    pub kink: Option<Kink>,
+    /// An edge inside which a patch has no normal, so that no kink is given.
+    pub singular_edge: Option<usize>,
+    /// The least over the mean of `|x_u × x_v|` at the points of a rule over all faces; 0 where the parametrisation is
+    /// singular.
+    pub jacobian_ratio: f64,
+    /// Faces whose normal turns by more than a right angle from one point of the rule to the next: they fold, or nearly.
+    pub folded: Vec<usize>,
+}
+
+/// Angles between the normals of neighbouring faces, in radians, 0 to π.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kink {
+    /// The largest at the points compared.
+    pub max: f64,
+    /// The root of the mean of their squares over the length of the edges.
+    pub rms: f64,
+    /// The edge with the largest.
+    pub edge: usize,
+}
+
+/// Points of an edge at which normals are compared, besides its ends: beyond a multiple of the degree there is nothing new.
+const PER_DEGREE: usize = 3;
+
+impl Seams {
+    /// Measures a complex.
+    ///
+    /// # Errors
+    /// [`MethodError::Basis`], [`MethodError::Surface`] never in fact: all rules and patches are offered.
+    pub fn of(complex: &Complex) -> Result<Self, MethodError> {
+        let patches =
+            (0..complex.faces().len()).map(|face| complex.patch(face)).collect::<Result<Vec<_>, _>>()?;
+        let rule = GaussLegendre::new(PER_DEGREE * complex.degree() + 4)?;
+        let (kink, singular_edge) = kink(complex, &patches, &rule);
+        let (jacobian_ratio, folded) = jacobian(&patches, &rule);
+        Ok(Self { kink, singular_edge, jacobian_ratio, folded })
+    }
+}
+
+impl Seams {
+    /// Whether a face folds, or two that share an edge fold there: their normals are more than a right angle apart.
+    pub fn folds(&self) -> bool {
+        !self.folded.is_empty() || self.kink.is_some_and(|kink| kink.max > FRAC_PI_2)
+    }
+
+    /// Whether nothing folds and the Jacobian ratio is at least `ratio`.
+    pub fn is_even(&self, ratio: f64) -> bool {
+        !self.folds() && self.jacobian_ratio >= ratio
+    }
+}
+
+fn kink(complex: &Complex, patches: &[TensorPatch], rule: &GaussLegendre) -> (Option<Kink>, Option<usize>) {
+    let (mut worst, mut squares, mut length): (Option<Kink>, f64, f64) = (None, 0.0, 0.0);
+    for (number, edge) in complex.edges().iter().enumerate() {
+        let [a, b] = edge.uses() else { continue };
+        let curve = complex.edge_curve(number);
+        for (t, weight) in rule.iter().chain([(0.0, 0.0), (1.0, 0.0)]) {
+            let Some(angle) = angle(patches, [a, b], t) else {
+                // At its ends an edge may meet a singular corner of the rim.
+                if weight == 0.0 {
+                    continue;
+                }
+                return (None, Some(number));
+            };
+            let ds = weight * curve.derivative(t).norm();
+            squares += angle * angle * ds;
+            length += ds;
+            if worst.is_none_or(|worst| angle > worst.max) {
+                worst = Some(Kink { max: angle, rms: 0.0, edge: number });
+            }
+        }
+    }
+    let rms = (squares / length).sqrt();
+    (worst.filter(|_| rms.is_finite()).map(|worst| Kink { rms, ..worst }), None)
+}
+
+/// The angle between the normals of two faces at a point of their edge, both on the same side of the surface.
+fn angle(patches: &[TensorPatch], uses: [&EdgeUse; 2], t: f64) -> Option<f64> {
+    let normal = |here: &EdgeUse| -> Option<Point> {
+        let (u, v) = here.parameters(t);
+        let normal = patches[here.face].jet(u, v).normal()?;
+        Some(if here.runs_with_edge() { normal } else { -normal })
+    };
+    // Borders that run through the edge in opposite senses have their faces on the same side.
+    let (a, b) = (normal(uses[0])?, -normal(uses[1])?);
+    Some(libm::atan2(a.cross(b).norm(), a.dot(b)))
+}
+
+fn jacobian(patches: &[TensorPatch], rule: &GaussLegendre) -> (f64, Vec<usize>) {
+    let nodes: Vec<f64> = rule.iter().map(|(t, _)| t).collect();
+    let count = nodes.len();
+    let (mut least, mut sum, mut folded) = (f64::INFINITY, 0.0, Vec::new());
+    for (face, patch) in patches.iter().enumerate() {
+        let jets = patch.jets(&nodes, &nodes);
+        let normals: Vec<Point> = jets.iter().map(|jet| jet.u.cross(jet.v)).collect();
+        for (k, normal) in normals.iter().enumerate() {
+            least = least.min(normal.norm());
+            sum += rule.weight(k / count) * rule.weight(k % count) * normal.norm();
+        }
+        let turns = |k: usize, l: usize| normals[k].dot(normals[l]) < 0.0;
+        let folds = (0..normals.len()).any(|k| {
+            (k % count + 1 < count && turns(k, k + 1)) || (k + count < normals.len() && turns(k, k + count))
+        });
+        if folds {
+            folded.push(face);
+        }
+    }
+    let mean = sum / patches.len() as f64;
+    (if mean > 0.0 { least / mean } else { 0.0 }, folded)
+}
