@@ -3,10 +3,11 @@
 use std::io::Write;
 use std::time::Duration;
 
+use console::Term;
 use experiment::{Finished, Options, Plan, run_kept};
 use plateau::Progress;
 use record::{Checkpoint, Manifest, deliver_watched, earlier, folder, prepare};
-use show::table;
+use show::{WIDTH, table};
 
 use crate::bars::Bars;
 use crate::command::{self, Failure, RunArguments, line, say};
@@ -127,7 +128,7 @@ fn experiment(
     let mut sound = if json {
         expectations(plan, &finished, &mut std::io::sink())?
     } else {
-        write!(stdout, "{}", table(&finished.results))?;
+        write!(stdout, "{}", table(&finished.results, room()))?;
         expectations(plan, &finished, stdout)?
     };
     bars.begin(&format!("files of {}", plan.stem), None);
@@ -234,6 +235,13 @@ pub(crate) fn reproduce(json: bool, quiet: bool, stdout: &mut impl Write) -> Res
         write!(stdout, "{}", reproduction.table())?;
     }
     if reproduction.is_sound() { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// The columns of the terminal, or what `COLUMNS` says; [`WIDTH`] where stdout is no terminal.
+fn room() -> usize {
+    let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
+    let terminal = || Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
+    said.or_else(terminal).unwrap_or(WIDTH)
 }
 
 fn expectations(plan: &Plan, finished: &Finished, stdout: &mut impl Write) -> Result<bool, Failure> {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use experiment::{Options, Plan, Template, run};
 use record::reproduce;
-use show::table;
+use show::{WIDTH, table};
 
 fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs")
@@ -90,7 +90,7 @@ fn quoted_tables_are_those_of_the_program() {
     quotes("reproduced.md", published);
     quotes("tour.md", published.lines().last().expect("the counts"));
     let plan = Plan::parse("first.toml", Template::Tensor.text()).unwrap();
-    quotes("tour.md", &table(&run(&plan, Options::default(), &()).unwrap().results));
+    quotes("tour.md", &table(&run(&plan, Options::default(), &()).unwrap().results, WIDTH));
     let plan = Plan::read(docs().join("../fixtures/gt-5.1.toml")).unwrap();
-    quotes("../README.md", &table(&run(&plan, Options::default(), &()).unwrap().results));
+    quotes("../README.md", &table(&run(&plan, Options::default(), &()).unwrap().results, WIDTH));
 }

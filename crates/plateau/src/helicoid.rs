@@ -132,7 +132,8 @@ fn finish(
     let mesh = Mesh::of(&pieces, subdivisions);
     let figures = Figures::of(&pieces, &mesh)?;
     let surface = Surface::Pieces(pieces);
-    let solved = Solved { surface, family, shape: None, solve: None, area: None, search: None };
+    let solved =
+        Solved { surface, family, minimised: None, shape: None, solve: None, area: None, search: None };
     warnings.extend(trust::warnings(&solved, &figures, &Search::default()));
     Ok(Done { solved, mesh, figures, boundary: None, closed_form, warnings })
 }

@@ -38,10 +38,11 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
 
 /// The patch of a method.
 fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
+    let minimised = method.extremal_energy();
     if let Boundary::Triangle(sides) = boundary {
         let (patch, solve, area) = triangle::solve(method, sides, context.progress)?;
         let (surface, family) = (Surface::Triangle(patch), Family::Triangle);
-        return Ok(Solved { surface, family, shape: None, solve, area, search: None });
+        return Ok(Solved { surface, family, minimised, shape: None, solve, area, search: None });
     }
     let (net, construction) = construct(method, boundary)?;
     let (shape, search) = match method.shape {
@@ -55,7 +56,7 @@ fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result
     let patch = with_shape(net, method, shape)?;
     let (patch, solve, area) = match construction {
         Some(figures) => (patch, Some(figures), None),
-        None if method.extremal_energy() == Some(Energy::Area) => {
+        None if minimised == Some(Energy::Area) => {
             context.progress.begin(&format!("least area of {}", method.name), None);
             let found = least_area(&patch, method.tolerance, context.progress);
             context.progress.end();
@@ -72,5 +73,5 @@ fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result
         (_, Basis::Gt) => Family::Gt,
         _ => Family::Bernstein,
     };
-    Ok(Solved { surface: Surface::Tensor(patch), family, shape, solve, area, search })
+    Ok(Solved { surface: Surface::Tensor(patch), family, minimised, shape, solve, area, search })
 }

@@ -1,6 +1,6 @@
 //! What a method found, and how.
 
-use crate::{AreaExtremal, Family, SearchOutcome, Surface};
+use crate::{AreaExtremal, Energy, Family, SearchOutcome, Surface};
 
 /// The patch a method found, with what is known of the way to it.
 #[derive(Debug, Clone)]
@@ -9,6 +9,8 @@ pub struct Solved {
     pub surface: Surface,
     /// The functions it is made of.
     pub family: Family,
+    /// The energy whose extremal the interior is; none for constructions and closed forms.
+    pub minimised: Option<Energy>,
     /// The shape parameters (α1, α2, β1, β2), for bases that have them.
     pub shape: Option<[f64; 4]>,
     /// How the interior was solved for, if it was.

@@ -222,6 +222,37 @@ pub enum Warning {
     Degenerate(#[from] Degeneracy),
 }
 
+impl Warning {
+    /// What may be done about it, as a sentence; none where there is nothing to be done.
+    pub fn remedy(&self) -> Option<&'static str> {
+        match self {
+            Self::NotStationary { .. } => Some("follow the swarm by a descent, or allow more iterations"),
+            Self::Budget { .. } => Some("allow more iterations, or follow the swarm by a descent"),
+            Self::FailedEvaluations { .. } => Some("narrow the box: shapes at its ends have no basis"),
+            Self::IllConditioned { .. } => {
+                Some("lower the degree if the control points themselves are wanted")
+            }
+            Self::Residual { .. } => Some("lower the degree, or choose the separable solver"),
+            Self::Cancellation { .. } => Some("lower the degree"),
+            Self::AreaNotReached { .. } => Some("raise the degree, or loosen the tolerance"),
+            Self::AreaRule { .. } => Some("try another degree or another start"),
+            Self::Unstable => Some("raise the degree, or move the start"),
+            Self::NoArea { .. } => Some("check the boundary: its curves may coincide"),
+            Self::AreaUnsettled { .. } => Some("look at the surface; another degree may unfold it"),
+            Self::SingularMesh => Some("check the boundary: its curves may coincide"),
+            Self::CurvatureUnsettled { .. } => {
+                Some("trust the area; for curvature avoid corners that meet in one direction")
+            }
+            // Its own sentence says what to do.
+            Self::BoxBinds { .. } | Self::Degenerate(_) | Self::CurveNearBound { .. } => None,
+            Self::Welded { .. } | Self::LeftOut { .. } | Self::SpanCut { .. } => None,
+            Self::SpanNearBound { .. } => Some("shorten the interval, or lengthen it: then it is cut"),
+            Self::CurveSingular { .. } => Some("leave out these samples"),
+            Self::LengthUnsettled { .. } => Some("cut the curve at the cusp"),
+        }
+    }
+}
+
 /// How the best values of several runs compare.
 fn best_values(runs: usize, spread: f64) -> String {
     match spread {

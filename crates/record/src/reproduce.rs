@@ -130,7 +130,7 @@ impl Reproduction {
     /// The table as text: a paragraph per experiment, a row per printed number, then the counts and the faults.
     pub fn table(&self) -> String {
         let rows: Vec<Vec<String>> = self.entries.iter().map(cells).collect();
-        let lines = grid(&Cells::new(COLUMNS.to_vec(), rows));
+        let (lines, _) = grid(&Cells::new(COLUMNS.to_vec(), rows), usize::MAX);
         let mut lines = lines.lines();
         let mut text = String::new();
         for line in lines.by_ref().take(2) {

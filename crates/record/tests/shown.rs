@@ -6,7 +6,7 @@ use std::path::Path;
 use experiment::{Options, Plan, run};
 use record::deliver;
 use serde_json::Value;
-use show::table;
+use show::{WIDTH, table};
 
 /// The cells of a row of the terminal's table, cut where the rule below the headings has its gaps.
 fn cells(line: &str, rule: &str) -> Vec<String> {
@@ -36,7 +36,7 @@ fn read(cell: &str) -> Option<(f64, f64)> {
 }
 
 /// Runs an experiment and compares; how many figures were compared.
-fn compare(file: &str, text: &str) -> usize {
+fn compare(file: &str, text: &str, room: usize) -> usize {
     let plan = Plan::parse(file, text).unwrap_or_else(|refusal| panic!("{refusal}"));
     let finished = run(&plan, Options::default(), &()).unwrap();
     let out = tempfile::tempdir().unwrap();
@@ -45,7 +45,7 @@ fn compare(file: &str, text: &str) -> usize {
     let (record, page): (Value, String) =
         (serde_json::from_str(&contents("result.json")).unwrap(), contents("report.html"));
     let Some(methods) = record["methods"].as_array().filter(|methods| !methods.is_empty()) else { return 0 };
-    let terminal = table(&finished.results);
+    let terminal = table(&finished.results, room);
     let lines: Vec<&str> = terminal.lines().collect();
     let rule = lines.iter().position(|line| line.starts_with('─')).expect("a rule");
     let headings = cells(lines[rule - 2], lines[rule]);
@@ -60,13 +60,18 @@ fn compare(file: &str, text: &str) -> usize {
         .collect();
     let rows = elements(elements(&page, "tbody")[0].1, "tr");
     let mut compared = 0;
-    for (k, method) in methods.iter().enumerate() {
-        let row: Vec<&str> = elements(rows[k].1, "td").iter().map(|(_, cell)| *cell).collect();
+    // A line stands above the rows that are set apart.
+    let mut below = lines[rule + 1..].iter().filter(|line| !line.starts_with("the boundary moved"));
+    for (tag, row) in rows {
+        let number = tag.split("data-row=\"").nth(1).and_then(|rest| rest.split('"').next());
+        let method = &methods[number.expect("a number").parse::<usize>().unwrap()];
+        let line = below.next().expect("a line for each row");
+        let row: Vec<&str> = elements(row, "td").iter().map(|(_, cell)| *cell).collect();
         if method.get("error").is_some() {
             assert!(row[1].starts_with("failed: "), "{file}");
             continue;
         }
-        for (heading, cell) in headings.iter().zip(cells(lines[rule + 1 + k], lines[rule])).skip(1) {
+        for (heading, cell) in headings.iter().zip(cells(line, lines[rule])).skip(1) {
             let at =
                 names.iter().position(|name| name == heading).unwrap_or_else(|| panic!("{file}: {heading}"));
             assert_eq!(row[at], cell, "{file}: {heading} of {}", method["name"]);
@@ -97,12 +102,12 @@ fn compare(file: &str, text: &str) -> usize {
 #[test]
 fn every_figure_of_every_fixture_is_shown_as_it_is_recorded() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
-    let mut compared = 0;
+    let (mut compared, room) = (0, usize::MAX);
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "toml") {
             let name = path.file_name().unwrap().to_string_lossy().into_owned();
-            compared += compare(&name, &fs::read_to_string(&path).unwrap());
+            compared += compare(&name, &fs::read_to_string(&path).unwrap(), room);
         }
     }
     assert!(compared > 500, "{compared}");
@@ -128,6 +133,30 @@ fn figures_are_shown_as_recorded_in_any_unit() {
             side(&["0,0,0", "0,2,2", "0,4,-2", "0,6,0"]),
             side(&["6,0,0", "6,2,2", "6,4,-2", "6,6,0"]),
         );
-        assert!(compare("unit.toml", &text) > 15, "{unit}");
+        assert!(compare("unit.toml", &text, WIDTH) > 15, "{unit}");
+    }
+}
+
+#[test]
+fn no_table_is_wider_than_its_room() {
+    for name in [
+        "gt-5.1.toml",
+        "area-5.1.toml",
+        "helicoid-deformation.toml",
+        "curve-gt-1-1.toml",
+        "tri-enneper-n3.toml",
+    ] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(name);
+        let plan = Plan::read(&path).unwrap();
+        let results = run(&plan, Options::default(), &()).unwrap().results;
+        for room in [60, WIDTH, 100, 200] {
+            let text = table(&results, room);
+            let rule = text.lines().position(|line| line.starts_with('─')).unwrap();
+            let rows = rule + 1 + results.methods.len().max(1);
+            let widest =
+                text.lines().skip(rule - 1).take(rows + 2 - rule).map(|line| line.chars().count()).max();
+            assert!(widest <= Some(room), "{room}\n{text}");
+            assert!(results.curve.is_some() || text.contains("area A"), "{text}");
+        }
     }
 }

@@ -45,13 +45,19 @@ fn table(Cells { columns, rows }: &Cells) -> String {
     html += "</tr></thead><tbody>\n";
     for row in rows {
         let shown = if row.failure.is_some() { 1 } else { columns.len() };
-        html += match row.standing {
-            Standing::Best => "<tr class=\"best\">",
-            Standing::Apart => "<tr class=\"apart\">",
-            Standing::Above(_) | Standing::Alone => "<tr>",
+        let class = match row.standing {
+            Standing::Best => " class=\"best\"",
+            Standing::Apart => " class=\"apart\"",
+            Standing::Above(_) | Standing::Alone => "",
         };
-        for cell in &row.cells[..shown] {
-            let _ = write!(html, "<td>{}</td>", Escaped(cell));
+        let _ = write!(html, "<tr data-row=\"{}\"{class}>", row.index);
+        for (k, cell) in row.cells[..shown].iter().enumerate() {
+            let marks = if k == 0 && !row.marks.is_empty() {
+                format!(" <sup>{}</sup>", row.marks)
+            } else {
+                String::new()
+            };
+            let _ = write!(html, "<td>{}{marks}</td>", Escaped(cell));
         }
         if let Some(failure) = &row.failure {
             let (span, failure) = (columns.len() - 1, Escaped(failure));

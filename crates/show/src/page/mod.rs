@@ -160,11 +160,7 @@ fn figures_of(results: &Results) -> String {
 
 /// What a reader must know.
 fn notes(results: &Results) -> String {
-    let of_methods = results.methods.iter().flat_map(|method| {
-        let warnings = method.outcome.iter().flat_map(|done| &done.warnings);
-        warnings.map(|warning| format!("{}: {warning}", method.name))
-    });
-    let notes: Vec<String> = of_methods.chain(results.warnings.iter().cloned()).collect();
+    let notes = crate::table::notes(results);
     if notes.is_empty() {
         return String::new();
     }

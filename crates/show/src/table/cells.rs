@@ -15,6 +15,10 @@ pub struct Cells {
 /// A row of a table.
 pub(crate) struct Row {
     pub(crate) cells: Vec<String>,
+    /// Its place in the file.
+    pub(crate) index: usize,
+    /// The numbers of the notes on it, `1,2`.
+    pub(crate) marks: String,
     pub(crate) standing: Standing,
     /// Why there are no figures.
     pub(crate) failure: Option<String>,
@@ -25,28 +29,32 @@ type Words = (&'static str, &'static str, fn(&Done) -> String);
 
 const WORDS: [Words; 2] = [("weights", "a b", weights), ("shape parameters", "α1 α2 β1 β2", shape)];
 
-/// One row a method, at most `most`; columns that no row fills are left out.
+/// Most notes whose numbers stand beside a name.
+const MARKS: usize = 3;
+
+/// One row a method, at most `most`; columns that no row fills are left out, rows over other boundary curves stand last.
 ///
-/// The columns of the papers' tables, with the Dirichlet energy and the area apart, and beside them what keeps a comparison
-/// honest: the least Dirichlet energy that the patch's own boundary curves admit, the area's quadrature error, the
-/// conformality gap, and how far the boundary curves lie from the Bernstein curves of the net.
+/// The columns: the area with its error and its excess over the least, what was minimised, and what keeps a comparison
+/// honest: how far the boundary curves lie from the Bernstein curves of the net, the conformality gap, the mean curvature, the
+/// least Dirichlet energy that the patch's own boundary curves admit.
 pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
-    let is_exact = results.methods.iter().any(has_closed_form);
-    let mut shown: Vec<&Figure> =
-        FIGURES.iter().filter(|figure| figure.place == Place::Everywhere || place == Place::Page).collect();
-    if place == Place::Page {
-        // A narrow page shows what it has room for: the area first.
-        shown.sort_by_key(|figure| !figure.key.starts_with("area"));
-    }
-    let mut columns = vec![Column::words(if is_exact { "surface" } else { "method" }, "")];
-    columns.extend(shown.iter().map(|figure| figure.column()));
-    columns.extend(WORDS.map(|(heading, beneath, _)| Column::words(heading, beneath)));
     let done: Vec<Option<&Done>> = results.methods.iter().map(|m| m.outcome.as_deref().ok()).collect();
-    let row = |(method, standing): (&MethodResult, Standing)| {
+    let is_exact = done.iter().flatten().any(|done| done.closed_form.is_some());
+    let shown = shown(&done, place);
+    let mut columns = vec![Column::words(if is_exact { "surface" } else { "method" }, "")];
+    columns.extend(shown.iter().map(|figure| figure.column_among(&done)));
+    columns.insert(AREA.len() + 1, Column { rank: 2, ..Column::number("excess", "of area") });
+    columns.extend(WORDS.map(|(heading, beneath, _)| Column { rank: 6, ..Column::words(heading, beneath) }));
+    let mut first = 1;
+    let row = |(index, (method, standing)): (usize, (&MethodResult, Standing))| {
+        let notes = method.outcome.as_ref().map_or(0, |done| done.warnings.len());
+        let marks = marks(first, notes);
+        first += notes;
         let mut cells = vec![method.name.clone()];
         match &method.outcome {
             Ok(done) => {
                 cells.extend(shown.iter().map(|figure| figure.cell(done, is_exact)));
+                cells.insert(AREA.len() + 1, standing.in_words());
                 cells.extend(WORDS.map(|(_, _, words)| words(done)));
             }
             Err(_) => {
@@ -54,26 +62,44 @@ pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
                 cells.resize(columns.len(), String::new());
             }
         }
-        Row { cells, standing, failure: method.outcome.as_ref().err().map(ToString::to_string) }
+        Row { cells, index, marks, standing, failure: method.outcome.as_ref().err().map(ToString::to_string) }
     };
-    let rows = results.methods.iter().zip(standings(&done)).take(most).map(row).collect();
+    let mut rows: Vec<Row> =
+        results.methods.iter().zip(standings(&done)).enumerate().take(most).map(row).collect();
+    if rows.iter().any(|row| matches!(row.standing, Standing::Best | Standing::Above(_))) {
+        rows.sort_by_key(|row| row.standing == Standing::Apart);
+    }
     Cells { columns, rows }.without_empty_columns()
 }
 
-fn has_closed_form(method: &MethodResult) -> bool {
-    method.outcome.as_ref().is_ok_and(|done| done.closed_form.is_some())
+/// The figures that begin every table.
+const AREA: [&str; 2] = ["area", "area_error"];
+
+/// The figures of a place: those that are always there, and the energies that a method minimised.
+fn shown(done: &[Option<&Done>], place: Place) -> Vec<&'static Figure> {
+    let is_shown = |figure: &&Figure| {
+        figure.place == Place::Everywhere || place == Place::Page || figure.is_minimised_by(done)
+    };
+    FIGURES.iter().filter(is_shown).collect()
+}
+
+/// The numbers of so many notes from the first on.
+fn marks(first: usize, notes: usize) -> String {
+    let numbers: Vec<String> = (first..first + notes.min(MARKS)).map(|k| k.to_string()).collect();
+    numbers.join(",") + if notes > MARKS { ",…" } else { "" }
 }
 
 impl Cells {
     /// A table none of whose rows failed.
     pub fn new(columns: Vec<Column>, rows: Vec<Vec<String>>) -> Self {
-        Self {
-            columns,
-            rows: rows
-                .into_iter()
-                .map(|cells| Row { cells, standing: Standing::Alone, failure: None })
-                .collect(),
-        }
+        let plain = |(index, cells)| Row {
+            cells,
+            index,
+            marks: String::new(),
+            standing: Standing::Alone,
+            failure: None,
+        };
+        Self { columns, rows: rows.into_iter().enumerate().map(plain).collect() }
     }
 
     fn without_empty_columns(mut self) -> Self {

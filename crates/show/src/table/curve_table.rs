@@ -11,11 +11,11 @@ const FIGURE: Form = Form::Decimals(7);
 pub(crate) fn summary(curve: &CurveResult) -> Cells {
     let columns = vec![
         Column::words("curve", ""),
-        Column::number("samples", ""),
+        Column { rank: 2, ..Column::number("samples", "") },
         Column::number("length", "length"),
-        Column::number("± of length", "length"),
-        Column::number("largest |κ| of the samples", "1/length"),
-        Column::number("at t", ""),
+        Column { rank: 1, ..Column::number("± of length", "length") },
+        Column::number("largest |κ|", "1/length"),
+        Column { rank: 3, ..Column::number("at t", "") },
     ];
     let (largest, at) = match curve.sharpest() {
         Some((k, curvature)) => (FIGURE.of(curvature.abs()), curve.t[k].to_string()),

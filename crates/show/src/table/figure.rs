@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::standing::UNMOVED;
 use crate::number::Form;
-use plateau::Done;
+use plateau::{Done, Energy};
 
 /// Where a figure is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +35,10 @@ pub(crate) struct Figure {
     /// What stands in place of a value that does not exist.
     pub(crate) missing: &'static str,
     pub(crate) place: Place,
+    /// See [`Column::rank`].
+    pub(crate) rank: u8,
+    /// The energy that this is the value of: its column is always there for those who minimise it.
+    pub(crate) energy: Option<Energy>,
 }
 
 /// A figure of no unit that exists only for some patches; the others say what differs.
@@ -49,32 +53,22 @@ const PLAIN: Figure = Figure {
     vanishes_if_exact: false,
     missing: "",
     place: Place::Everywhere,
+    rank: 0,
+    energy: None,
 };
 
+/// The rank of an energy that was minimised.
+const MINIMISED: u8 = 1;
+
 /// All of them, in the order of the columns.
-pub(crate) const FIGURES: [Figure; 10] = [
-    Figure {
-        key: "dirichlet",
-        heading: "Dirichlet D",
-        power: 2,
-        value: |done| Some(done.figures.dirichlet.value),
-        form: Form::Decimals(7),
-        ..PLAIN
-    },
-    Figure {
-        key: "harmonic_bound",
-        heading: "bound of D",
-        power: 2,
-        value: |done| done.boundary.map(|boundary| boundary.harmonic_bound),
-        form: Form::Decimals(7),
-        ..PLAIN
-    },
+pub(crate) const FIGURES: [Figure; 11] = [
     Figure {
         key: "area",
         heading: "area A",
         power: 2,
         value: |done| Some(done.figures.area.value),
         form: Form::Decimals(7),
+        energy: Some(Energy::Area),
         ..PLAIN
     },
     Figure {
@@ -82,6 +76,59 @@ pub(crate) const FIGURES: [Figure; 10] = [
         heading: "± of A",
         power: 2,
         value: |done| Some(done.figures.area.error),
+        rank: 3,
+        ..PLAIN
+    },
+    Figure {
+        key: "dirichlet",
+        heading: "Dirichlet D",
+        power: 2,
+        value: |done| Some(done.figures.dirichlet.value),
+        form: Form::Decimals(7),
+        rank: 4,
+        energy: Some(Energy::Dirichlet),
+        ..PLAIN
+    },
+    Figure {
+        key: "laplacian_defect",
+        heading: "∫‖ΔS‖²",
+        power: 2,
+        value: |done| Some(done.figures.laplacian_defect.value),
+        form: Form::Decimals(7),
+        place: Place::Page,
+        vanishes_if_exact: true,
+        rank: 9,
+        energy: Some(Energy::Laplacian),
+        ..PLAIN
+    },
+    Figure {
+        key: "bending",
+        heading: "bending",
+        power: 2,
+        value: |done| Some(done.figures.bending.value),
+        form: Form::Decimals(7),
+        vanishes_if_exact: true,
+        place: Place::Page,
+        rank: 9,
+        energy: Some(Energy::Bending),
+        ..PLAIN
+    },
+    Figure {
+        key: "deviation",
+        heading: "deviation",
+        power: 1,
+        value: |done| done.closed_form.map(|form| form.deviation),
+        ..PLAIN
+    },
+    Figure {
+        key: "boundary_deviation",
+        heading: "boundary",
+        beneath: "moved by",
+        power: 1,
+        value: |done| done.boundary.map(|boundary| boundary.deviation),
+        form: Form::Decimals(4),
+        rounding: (UNMOVED, "0"),
+        rank: 5,
         ..PLAIN
     },
     Figure {
@@ -90,6 +137,7 @@ pub(crate) const FIGURES: [Figure; 10] = [
         value: |done| done.figures.conformality_gap,
         form: Form::Percent(4),
         vanishes_if_exact: true,
+        rank: 7,
         ..PLAIN
     },
     Figure {
@@ -101,6 +149,7 @@ pub(crate) const FIGURES: [Figure; 10] = [
         rounding: (1e-6, "0.00000"),
         missing: "singular",
         vanishes_if_exact: true,
+        rank: 8,
         ..PLAIN
     },
     Figure {
@@ -112,33 +161,16 @@ pub(crate) const FIGURES: [Figure; 10] = [
         rounding: (1e-6, "0.00000"),
         place: Place::Page,
         vanishes_if_exact: true,
+        rank: 9,
         ..PLAIN
     },
     Figure {
-        key: "laplacian_defect",
-        heading: "∫‖ΔS‖²",
+        key: "harmonic_bound",
+        heading: "bound of D",
         power: 2,
-        value: |done| Some(done.figures.laplacian_defect.value),
-        form: Form::Decimals(5),
-        place: Place::Page,
-        vanishes_if_exact: true,
-        ..PLAIN
-    },
-    Figure {
-        key: "boundary_deviation",
-        heading: "boundary",
-        beneath: "moved by",
-        power: 1,
-        value: |done| done.boundary.map(|boundary| boundary.deviation),
-        form: Form::Decimals(4),
-        rounding: (UNMOVED, "0"),
-        ..PLAIN
-    },
-    Figure {
-        key: "deviation",
-        heading: "deviation",
-        power: 1,
-        value: |done| done.closed_form.map(|form| form.deviation),
+        value: |done| done.boundary.map(|boundary| boundary.harmonic_bound),
+        form: Form::Decimals(7),
+        rank: 9,
         ..PLAIN
     },
 ];
@@ -147,7 +179,19 @@ impl Figure {
     /// Its column.
     pub(crate) fn column(&self) -> Column {
         let beneath = if self.beneath.is_empty() { unit(self.power) } else { self.beneath };
-        Column { key: self.key, ..Column::number(self.heading, beneath) }
+        Column { key: self.key, rank: self.rank, ..Column::number(self.heading, beneath) }
+    }
+
+    /// Whether one of the patches is an extremal of this energy.
+    pub(crate) fn is_minimised_by(&self, done: &[Option<&Done>]) -> bool {
+        self.energy.is_some() && done.iter().flatten().any(|done| done.solved.minimised == self.energy)
+    }
+
+    /// Its column among patches; what one of them minimised is left out late.
+    pub(crate) fn column_among(&self, done: &[Option<&Done>]) -> Column {
+        let column = self.column();
+        let rank = if self.is_minimised_by(done) { column.rank.min(MINIMISED) } else { column.rank };
+        Column { rank, ..column }
     }
 
     /// The figure of a patch in words; empty where there is none. `is_exact`: the experiment is of surfaces with a closed form.

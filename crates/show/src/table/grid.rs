@@ -1,54 +1,122 @@
-use super::cells::Cells;
-use super::column::Column;
+use super::cells::{Cells, Row};
+use super::standing::Standing;
 use crate::Printable;
 use crate::printable::columns as columns_of;
 
-/// Headings, units, a rule and the rows, aligned. Words are made printable and cut to [`Printable::NAME`].
-pub fn grid(Cells { columns, rows }: &Cells) -> String {
-    let shown = |(cell, column): (&String, &Column)| match column.is_words {
-        true => Printable(cell).cut(Printable::NAME),
-        false => cell.clone(),
+/// What stands between two columns.
+const GAP: &str = "  ";
+
+/// Fewest columns of a terminal for the names of the rows.
+const NARROW: usize = 12;
+
+/// Stands above the rows whose areas cannot be compared with those of the others.
+pub(crate) const APART: &str = "the boundary moved: not over the same curves as the rows above";
+
+/// Headings, units, a rule and the rows, aligned, in lines of at most `room` columns of a terminal: columns are left out by
+/// their rank until they fit, then names are cut. Names are never longer than [`Printable::NAME`]. Also the headings of what
+/// was left out.
+pub fn grid(table: &Cells, room: usize) -> (String, Vec<&'static str>) {
+    let Cells { columns, rows } = table;
+    let mut kept: Vec<usize> = (0..columns.len()).collect();
+    let mut widths = widths(table);
+    let total = |kept: &[usize], widths: &[usize]| -> usize {
+        kept.iter().map(|&k| widths[k]).sum::<usize>() + GAP.len() * kept.len().saturating_sub(1)
     };
-    let rows: Vec<Vec<String>> =
-        rows.iter().map(|row| row.cells.iter().zip(columns).map(shown).collect()).collect();
-    let has_units = columns.iter().any(|column| !column.unit.is_empty());
-    let width = |k: usize| {
-        let cells = rows.iter().map(|row| row[k].as_str());
-        cells.chain([columns[k].heading, columns[k].unit]).map(columns_of).max().unwrap_or(0)
+    let mut left_out = Vec::new();
+    while total(&kept, &widths) > room {
+        let last = kept.iter().copied().max_by_key(|&k| columns[k].rank).filter(|&k| columns[k].rank > 0);
+        let Some(last) = last else { break };
+        kept.retain(|&k| k != last);
+        left_out.push(last);
+    }
+    left_out.sort_unstable();
+    if let Some(&first) = kept.first() {
+        let excess = total(&kept, &widths).saturating_sub(room);
+        widths[first] = widths[first].saturating_sub(excess).max(NARROW.min(widths[first]));
+    }
+    let line = |cells: &dyn Fn(usize) -> String| {
+        let shown = kept.iter().map(|&k| {
+            let cell = cells(k);
+            let pad = " ".repeat(widths[k].saturating_sub(columns_of(&cell)));
+            if columns[k].is_words { cell + &pad } else { pad + &cell }
+        });
+        shown.collect::<Vec<_>>().join(GAP).trim_end().to_owned() + "\n"
     };
-    let widths: Vec<usize> = (0..columns.len()).map(width).collect();
-    let line = |cells: &mut dyn Iterator<Item = &str>| {
-        let mut text = String::new();
-        for ((cell, column), width) in cells.zip(columns).zip(&widths) {
-            let pad = " ".repeat(width - columns_of(cell));
-            let [left, right] = if column.is_words { [cell, pad.as_str()] } else { [pad.as_str(), cell] };
-            text.extend([left, right, "   "]);
+    let mut text = line(&|k| columns[k].heading.into());
+    if kept.iter().any(|&k| !columns[k].unit.is_empty()) {
+        text += &line(&|k| columns[k].unit.into());
+    }
+    text += &line(&|k| "─".repeat(widths[k]));
+    let mut before = Standing::Alone;
+    for row in rows {
+        if row.standing == Standing::Apart && !matches!(before, Standing::Apart | Standing::Alone) {
+            text += &format!("{}\n", Printable(APART).cut(room.max(NARROW)));
         }
-        text.truncate(text.trim_end().len());
-        text + "\n"
+        before = row.standing;
+        text += &line(&|k| row.shown(k, columns[k].is_words, widths[k]));
+    }
+    (text, left_out.into_iter().map(|k| columns[k].heading).collect())
+}
+
+fn widths(Cells { columns, rows }: &Cells) -> Vec<usize> {
+    let width = |k: usize| {
+        let headings = [columns[k].heading, columns[k].unit].map(columns_of);
+        let cells = rows.iter().map(|row| columns_of(&row.shown(k, columns[k].is_words, Printable::NAME)));
+        headings.into_iter().chain(cells).max().unwrap_or(0)
     };
-    let mut text = line(&mut columns.iter().map(|column| column.heading));
-    if has_units {
-        text += &line(&mut columns.iter().map(|column| column.unit));
+    (0..columns.len()).map(width).collect()
+}
+
+impl Row {
+    /// A cell; words are made printable and cut, the marks of the notes kept.
+    fn shown(&self, k: usize, is_words: bool, most: usize) -> String {
+        match (is_words, k) {
+            (false, _) => self.cells[k].clone(),
+            (true, 0) if !self.marks.is_empty() => {
+                let marks = format!(" [{}]", self.marks);
+                Printable(&self.cells[0]).cut(most.saturating_sub(marks.len()).max(1)) + &marks
+            }
+            (true, _) => Printable(&self.cells[k]).cut(most),
+        }
     }
-    let rules: Vec<String> = widths.iter().map(|width| "─".repeat(*width)).collect();
-    text += &line(&mut rules.iter().map(String::as_str));
-    for row in &rows {
-        text += &line(&mut row.iter().map(String::as_str));
-    }
-    text
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::column::Column;
     use super::*;
+
+    fn table(names: [&str; 2], columns: &[(&'static str, u8)]) -> Cells {
+        let number =
+            |&(heading, rank): &(&'static str, u8)| Column { rank, ..Column::number(heading, "1/length") };
+        let all = std::iter::once(Column::words("name", "")).chain(columns.iter().map(number)).collect();
+        let rows = names.map(|name| {
+            std::iter::once(name.to_owned()).chain(columns.iter().map(|_| "1.5".into())).collect()
+        });
+        Cells::new(all, rows.to_vec())
+    }
 
     #[test]
     fn columns_are_aligned_as_a_terminal_shows_them() {
-        let columns = vec![Column::words("name", ""), Column::number("κ", "1/length")];
-        let rows =
-            vec![vec!["最小\u{7}".to_owned(), "1.5".to_owned()], vec!["long".to_owned(), String::new()]];
-        let expected = "name                κ\n             1/length\n──────────   ────────\n最小\\u0007        1.5\nlong\n";
-        assert_eq!(grid(&Cells::new(columns, rows)), expected);
+        let (text, left_out) = grid(&table(["最小\u{7}", "long"], &[("κ", 0)]), 80);
+        let expected = "name               κ\n            1/length\n──────────  ────────\n\
+                        最小\\u0007       1.5\nlong             1.5\n";
+        assert_eq!((text.as_str(), left_out.len()), (expected, 0));
+    }
+
+    #[test]
+    fn no_line_is_longer_than_the_room_and_the_first_rank_stays() {
+        let long = "a name that is longer than many a terminal is wide".repeat(3);
+        let table = table([&long, "short"], &[("area", 0), ("error", 1), ("bound", 3), ("gap", 2)]);
+        for room in 24..140 {
+            let (text, left_out) = grid(&table, room);
+            assert!(text.lines().all(|line| columns_of(line) <= room), "{room}\n{text}");
+            assert!(text.contains("area") && text.contains("short"), "{text}");
+            let order: &[&str] = &["bound", "gap", "error"];
+            assert!(
+                order[..left_out.len()].iter().all(|name| left_out.contains(name)),
+                "{room}: {left_out:?}"
+            );
+        }
     }
 }

@@ -11,4 +11,5 @@ pub(crate) mod standing;
 pub use cells::Cells;
 pub use column::Column;
 pub use grid::grid;
-pub use patch_table::table;
+pub(crate) use patch_table::notes;
+pub use patch_table::{WIDTH, table};

@@ -7,43 +7,58 @@ use super::curve_table::{samples, summary};
 use super::figure::Place;
 use super::grid::grid;
 use crate::Printable;
-use plateau::{MethodResult, Results};
+use plateau::Results;
 
 /// Most samples of a curve that are listed.
 const LISTED: usize = 12;
 
-/// The table as text: the title, one row a method, then the warnings of each method.
-pub fn table(results: &Results) -> String {
+/// Columns of a terminal where nothing is known of it: what is piped is read on one in the end.
+pub const WIDTH: usize = 80;
+
+/// The table as text: the title, one row a method, then the notes on them.
+///
+/// No line of the table is longer than `room` columns of a terminal: columns are left out in a fixed order, from the last of
+/// these to the first: area, what was minimised, the excess over the least area, the error of the area, Dirichlet energy,
+/// boundary, shape parameters, (D − A)/A, max |H|, bound of D. A line says which.
+pub fn table(results: &Results, room: usize) -> String {
     let mut text = format!("{}\n\n", Printable(&results.title));
     match &results.curve {
         Some(curve) => {
-            text += &grid(&summary(curve));
+            text += &grid(&summary(curve), room).0;
             if curve.t.len() <= LISTED {
                 text.push('\n');
-                text += &grid(&samples(curve, LISTED));
+                text += &grid(&samples(curve, LISTED), room).0;
             }
         }
-        None => text += &grid(&cells(results, Place::Everywhere, usize::MAX)),
+        None => {
+            let (table, left_out) = grid(&cells(results, Place::Everywhere, usize::MAX), room);
+            text += &table;
+            if !left_out.is_empty() {
+                let _ = writeln!(text, "in result.json, too wide for here: {}", left_out.join(", "));
+            }
+        }
     }
-    for method in &results.methods {
-        notes(&mut text, method);
-    }
-    for warning in &results.warnings {
-        let _ = writeln!(text, "note: {}", Printable(warning));
+    for note in notes(results) {
+        let _ = writeln!(text, "{}", Printable(&note));
     }
     text
 }
 
-fn notes(text: &mut String, method: &MethodResult) {
-    let name = Printable(&method.name).cut(Printable::NAME);
-    match &method.outcome {
-        Ok(done) => {
-            for warning in &done.warnings {
-                let _ = writeln!(text, "note: {name}: {warning}");
-            }
-        }
-        Err(error) => {
-            let _ = writeln!(text, "failed: {name}: {}", Printable(&error.to_string()));
+/// What a reader must know, and what may be done about it: numbered where a row bears the number.
+pub(crate) fn notes(results: &Results) -> Vec<String> {
+    let mut notes = Vec::new();
+    let mut number = 0;
+    for method in &results.methods {
+        let name = Printable(&method.name).cut(Printable::NAME);
+        match &method.outcome {
+            Ok(done) => notes.extend(done.warnings.iter().map(|warning| {
+                number += 1;
+                let remedy = warning.remedy().map_or(String::new(), |remedy| format!("; {remedy}"));
+                format!("note {number}: {name}: {warning}{remedy}")
+            })),
+            Err(error) => notes.push(format!("failed: {name}: {error}")),
         }
     }
+    notes.extend(results.warnings.iter().map(|warning| format!("note: {warning}")));
+    notes
 }

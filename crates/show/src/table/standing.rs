@@ -1,5 +1,6 @@
 //! Which of several surfaces over the same boundary has the least area, and how far the others lie above it.
 
+use crate::number::Form;
 use plateau::Done;
 
 /// How a surface stands among those over the same boundary.
@@ -13,6 +14,18 @@ pub(crate) enum Standing {
     Apart,
     /// There is nothing to compare: no surface, no area, a closed form, or no other surface.
     Alone,
+}
+
+impl Standing {
+    /// As a table says it.
+    pub(crate) fn in_words(self) -> String {
+        match self {
+            Self::Best => "least".into(),
+            Self::Above(share) => format!("+{}", Form::Percent(3).of(share)),
+            Self::Apart => "moved".into(),
+            Self::Alone => String::new(),
+        }
+    }
 }
 
 /// Boundary curves that moved by this much beside the root of the Dirichlet energy have not moved.
