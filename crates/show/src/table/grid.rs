@@ -3,8 +3,8 @@ use super::standing::Standing;
 use crate::Printable;
 use crate::printable::columns as columns_of;
 
-/// What stands between two columns.
-const GAP: &str = "  ";
+/// What stands between two columns where there is room, and where there is not.
+const GAPS: [&str; 2] = ["   ", "  "];
 
 /// Fewest columns of a terminal for the names of the rows.
 const NARROW: usize = 12;
@@ -19,11 +19,12 @@ pub fn grid(table: &Cells, room: usize) -> (String, Vec<&'static str>) {
     let Cells { columns, rows } = table;
     let mut kept: Vec<usize> = (0..columns.len()).collect();
     let mut widths = widths(table);
-    let total = |kept: &[usize], widths: &[usize]| -> usize {
-        kept.iter().map(|&k| widths[k]).sum::<usize>() + GAP.len() * kept.len().saturating_sub(1)
+    let total = |kept: &[usize], widths: &[usize], gap: &str| -> usize {
+        kept.iter().map(|&k| widths[k]).sum::<usize>() + gap.len() * kept.len().saturating_sub(1)
     };
+    let gap = if total(&kept, &widths, GAPS[0]) <= room { GAPS[0] } else { GAPS[1] };
     let mut left_out = Vec::new();
-    while total(&kept, &widths) > room {
+    while total(&kept, &widths, gap) > room {
         let last = kept.iter().copied().max_by_key(|&k| columns[k].rank).filter(|&k| columns[k].rank > 0);
         let Some(last) = last else { break };
         kept.retain(|&k| k != last);
@@ -31,7 +32,7 @@ pub fn grid(table: &Cells, room: usize) -> (String, Vec<&'static str>) {
     }
     left_out.sort_unstable();
     if let Some(&first) = kept.first() {
-        let excess = total(&kept, &widths).saturating_sub(room);
+        let excess = total(&kept, &widths, gap).saturating_sub(room);
         widths[first] = widths[first].saturating_sub(excess).max(NARROW.min(widths[first]));
     }
     let line = |cells: &dyn Fn(usize) -> String| {
@@ -40,7 +41,7 @@ pub fn grid(table: &Cells, room: usize) -> (String, Vec<&'static str>) {
             let pad = " ".repeat(widths[k].saturating_sub(columns_of(&cell)));
             if columns[k].is_words { cell + &pad } else { pad + &cell }
         });
-        shown.collect::<Vec<_>>().join(GAP).trim_end().to_owned() + "\n"
+        shown.collect::<Vec<_>>().join(gap).trim_end().to_owned() + "\n"
     };
     let mut text = line(&|k| columns[k].heading.into());
     if kept.iter().any(|&k| !columns[k].unit.is_empty()) {
@@ -99,8 +100,8 @@ mod tests {
     #[test]
     fn columns_are_aligned_as_a_terminal_shows_them() {
         let (text, left_out) = grid(&table(["最小\u{7}", "long"], &[("κ", 0)]), 80);
-        let expected = "name               κ\n            1/length\n──────────  ────────\n\
-                        最小\\u0007       1.5\nlong             1.5\n";
+        let expected = "name                κ\n             1/length\n──────────   ────────\n\
+                        最小\\u0007        1.5\nlong              1.5\n";
         assert_eq!((text.as_str(), left_out.len()), (expected, 0));
     }
 
