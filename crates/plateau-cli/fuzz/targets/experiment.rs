@@ -2,10 +2,9 @@
 
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
-use plateau::Shape;
-use plateau::{Basis, Boundary, Energy, Interior};
 use experiment::{Experiment, Options, Plan};
+use libfuzzer_sys::fuzz_target;
+use plateau::{Basis, Boundary, Energy, Interior, Shape};
 use record::{ResultFile, StoredResult};
 
 fuzz_target!(|bytes: &[u8]| {
@@ -34,12 +33,11 @@ fuzz_target!(|bytes: &[u8]| {
 /// Whether the plan runs in a few milliseconds: thousands of them a minute find more than one that takes a minute.
 fn is_small(plan: &Plan) -> bool {
     let Experiment::Patch(patch) = &plan.experiment else { return false };
-    let points = match &patch.boundary {
-        Boundary::Tensor { u0, v0, .. } => u0.len().max(v0.len()),
-        Boundary::Triangle { ab, .. } => ab.len(),
-        _ => return false,
-    };
-    points <= 5
+    if matches!(patch.boundary, Boundary::Opposite(_)) {
+        return false;
+    }
+    let (m, n) = patch.boundary.degrees();
+    m.max(n) < 5
         && plan.output.mesh <= 12
         && patch.methods.len() <= 3
         && patch.methods.iter().all(|method| {
