@@ -1,18 +1,21 @@
 //! Sums of products of sampled functions: the one kernel of all dense assemblies.
 
 use bases::Matrix;
+use pulp::{Arch, WithSimd};
 
-const BLOCK: usize = 4;
+/// Rows and columns of the blocks that are summed in registers.
+const ROWS: usize = 4;
+const COLUMNS: usize = 8;
 
 /// `sum += leftᵀ right`: rows of the factors are points of a rule, columns are functions.
 pub(crate) fn add_product(sum: &mut Matrix, left: &Matrix, right: &Matrix) {
-    add_blocks(sum, left, right, |_, _| true);
+    add_blocks(sum, left, right, false);
 }
 
-/// As [`add_product`] for a product known to be symmetric, of which only the entries on and above the diagonal are
+/// As [`add_product`] for a product known to be symmetric, of which only the entries on and above the diagonal need be
 /// formed; [`mirrored`] completes the sum.
 pub(crate) fn add_upper_product(sum: &mut Matrix, left: &Matrix, right: &Matrix) {
-    add_blocks(sum, left, right, |i, j| i <= j);
+    add_blocks(sum, left, right, true);
 }
 
 /// The symmetric matrix with the upper triangle of `upper`.
@@ -25,40 +28,60 @@ pub(crate) fn mirrored(mut upper: Matrix) -> Matrix {
     upper
 }
 
-/// Blocks of 4 × 4 entries are summed in registers, over factors packed so that they are read in order.
-fn add_blocks(sum: &mut Matrix, left: &Matrix, right: &Matrix, wanted: impl Fn(usize, usize) -> bool) {
+fn add_blocks(sum: &mut Matrix, left: &Matrix, right: &Matrix, upper: bool) {
     assert_eq!(left.rows(), right.rows(), "points of both factors");
-    let (points, rows, cols) = (left.rows(), left.cols(), right.cols());
-    let (left, right) = (packed(left), packed(right));
-    for (bi, a) in left.chunks_exact((BLOCK * points).max(1)).enumerate() {
-        for (bj, b) in right.chunks_exact((BLOCK * points).max(1)).enumerate() {
-            if !wanted(bi, bj) {
-                continue;
-            }
-            let mut block = [[0.0; BLOCK]; BLOCK];
-            for (x, y) in a.chunks_exact(BLOCK).zip(b.chunks_exact(BLOCK)) {
-                for i in 0..BLOCK {
-                    for j in 0..BLOCK {
-                        block[i][j] += x[i] * y[j];
+    Arch::new().dispatch(Blocks { sum, left, right, upper });
+}
+
+/// The sum over blocks of entries held in registers, over factors packed so that they are read in order. Every entry is
+/// summed over the points in their order, one product after the other: the same bits whatever the width of the arithmetic.
+struct Blocks<'a> {
+    sum: &'a mut Matrix,
+    left: &'a Matrix,
+    right: &'a Matrix,
+    upper: bool,
+}
+
+impl WithSimd for Blocks<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Self { sum, left, right, upper } = self;
+        let (points, rows, cols) = (left.rows(), left.cols(), right.cols());
+        let (left, right) = (packed::<ROWS>(left), packed::<COLUMNS>(right));
+        for (bi, a) in left.chunks_exact((ROWS * points).max(1)).enumerate() {
+            for (bj, b) in right.chunks_exact((COLUMNS * points).max(1)).enumerate() {
+                let (row, column) = (bi * ROWS, bj * COLUMNS);
+                if upper && column + COLUMNS <= row {
+                    continue;
+                }
+                let mut block = [[0.0; COLUMNS]; ROWS];
+                for (x, y) in a.as_chunks::<ROWS>().0.iter().zip(b.as_chunks::<COLUMNS>().0) {
+                    for i in 0..ROWS {
+                        for j in 0..COLUMNS {
+                            block[i][j] += x[i] * y[j];
+                        }
                     }
                 }
-            }
-            for i in 0..BLOCK.min(rows - bi * BLOCK) {
-                for j in 0..BLOCK.min(cols - bj * BLOCK) {
-                    sum[(bi * BLOCK + i, bj * BLOCK + j)] += block[i][j];
+                for (i, line) in block.iter().enumerate().take(rows - row) {
+                    let width = COLUMNS.min(cols - column);
+                    let entries = &mut sum.row_mut(row + i)[column..column + width];
+                    entries.iter_mut().zip(line).for_each(|(s, b)| *s += b);
                 }
             }
         }
     }
 }
 
-/// Columns in groups of four, each group point by point, filled up with zeros.
-fn packed(factor: &Matrix) -> Vec<f64> {
-    let mut out = Vec::with_capacity(factor.rows() * factor.cols().next_multiple_of(BLOCK));
-    for group in (0..factor.cols()).step_by(BLOCK) {
+/// Columns in groups of W, each group point by point, filled up with zeros.
+fn packed<const W: usize>(factor: &Matrix) -> Vec<f64> {
+    let mut out = Vec::with_capacity(factor.rows() * factor.cols().next_multiple_of(W));
+    for group in (0..factor.cols()).step_by(W) {
         for p in 0..factor.rows() {
-            let row = factor.row(p);
-            out.extend((0..BLOCK).map(|k| row.get(group + k).copied().unwrap_or(0.0)));
+            let row = &factor.row(p)[group..(group + W).min(factor.cols())];
+            out.extend_from_slice(row);
+            out.extend(std::iter::repeat_n(0.0, W - row.len()));
         }
     }
     out

@@ -1,8 +1,8 @@
 //! Running a plan: its surfaces or its curve, and what the file wants of them.
 
 use plateau::{
-    Arithmetic, Context, Degeneracy, Helicoid, Keeper, MethodError, MethodResult, Progress, Quantity,
-    Results, degeneracies, helicoids, sample, solve, trapezium,
+    Arithmetic, Context, Degeneracy, Energy, Helicoid, Keeper, MethodError, MethodResult, Progress, Quantity,
+    Results, Solved, degeneracies, helicoids, sample, solve, trapezium,
 };
 
 use crate::{Expected, Experiment, Output, PatchExperiment, Plan, Wanted};
@@ -90,13 +90,21 @@ pub fn run_kept(
 }
 
 fn patches(experiment: &PatchExperiment, context: &Context<'_>) -> Vec<MethodResult> {
-    let result = |(index, method): (usize, &plateau::Method)| {
+    // Least areas last, the lower degrees first: none of them ends above what the others found.
+    let methods = &experiment.methods;
+    let is_area = |k: usize| methods[k].extremal_energy() == Some(Energy::Area);
+    let mut order: Vec<usize> = (0..methods.len()).collect();
+    order.sort_by_key(|&k| (is_area(k), if is_area(k) { methods[k].raise } else { 0 }));
+    let mut results: Vec<Option<MethodResult>> = methods.iter().map(|_| None).collect();
+    for index in order {
+        let at_hand: Vec<&Solved> =
+            results.iter().flatten().filter_map(|r| Some(&r.outcome.as_ref().ok()?.solved)).collect();
         let mut context = *context;
-        context.index = index;
-        let outcome = solve(&experiment.boundary, method, &context).map(Box::new);
-        MethodResult { name: method.name.clone(), outcome }
-    };
-    experiment.methods.iter().enumerate().map(result).collect()
+        (context.index, context.at_hand) = (index, &at_hand);
+        let outcome = solve(&experiment.boundary, &methods[index], &context).map(Box::new);
+        results[index] = Some(MethodResult { name: methods[index].name.clone(), outcome });
+    }
+    results.into_iter().flatten().collect()
 }
 
 /// What is wanted of a helicoid and of the frames of its deformation: of every frame what is the same for all.

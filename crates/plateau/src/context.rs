@@ -1,4 +1,4 @@
-use crate::{Arithmetic, Keeper, Progress, Search};
+use crate::{Arithmetic, Keeper, Progress, Search, Solved};
 
 /// What a method may use besides its boundary, and who watches it.
 #[derive(Clone, Copy)]
@@ -14,6 +14,8 @@ pub struct Context<'a> {
     pub mesh: usize,
     /// The number under which the keeper knows the method.
     pub index: usize,
+    /// What other methods found over the same boundary: no least area ends above these.
+    pub at_hand: &'a [&'a Solved],
     /// Where runs of searches that have ended are kept.
     pub keeper: &'a dyn Keeper,
     /// Who watches.
@@ -29,6 +31,7 @@ impl Context<'_> {
             arithmetic: Arithmetic::default(),
             mesh: 48,
             index: 0,
+            at_hand: &[],
             keeper: &(),
             progress: &(),
         }

@@ -10,6 +10,9 @@ pub enum MethodError {
     /// The control net or the families on it.
     #[error(transparent)]
     Surface(#[from] surfaces::SurfaceError),
+    /// A complex of patches.
+    #[error(transparent)]
+    Complex(#[from] surfaces::ComplexError),
     /// The energy.
     #[error(transparent)]
     Energy(#[from] energy::EnergyError),

@@ -74,7 +74,10 @@ pub use family::Family;
 pub use figures::Figures;
 pub use helicoid::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium};
 pub use keeper::Keeper;
-pub use least_area::{AreaExtremal, least_area, least_area_triangle};
+pub use least_area::{
+    AreaEnd, AreaExtremal, Stage, Start, ValleyEnd, least_area, least_area_complex, least_area_from,
+    least_area_raised, least_area_triangle, least_area_triangle_from, least_area_triangle_raised,
+};
 pub use lower_bound::{Competitors, LowerBound, NoBound, lower_bound};
 pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};
 pub use outcome::{Done, MethodResult, Results};

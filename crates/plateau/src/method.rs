@@ -123,7 +123,7 @@ pub enum SolverChoice {
 
 impl Method {
     /// The energy whose extremal the interior is; none for constructions.
-    pub(crate) fn extremal_energy(&self) -> Option<Energy> {
+    pub fn extremal_energy(&self) -> Option<Energy> {
         match self.interior {
             Interior::Extremal { energy, .. } => Some(energy),
             Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => None,

@@ -1,10 +1,12 @@
 //! Runs one method.
 
-use crate::interior::{construct, extremal, triangle, with_shape};
+use surfaces::TensorPatch;
+
+use crate::interior::{boundary_net, construct, extremal, triangle, with_shape};
 use crate::search::search;
 use crate::{
-    Basis, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Method, MethodError, Patch,
-    Shape, Solved, Surface, least_area, trust,
+    AreaExtremal, Basis, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Method,
+    MethodError, Patch, Shape, Solved, Surface, least_area_from, least_area_raised, trust,
 };
 
 /// A surface that loses more than this share of its size to cancellation is not one.
@@ -36,11 +38,55 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     Ok(Done { solved, mesh, figures, boundary, closed_form: None, warnings })
 }
 
+/// The patch of least area on the border of `patch`, not above those at hand.
+fn of_least_area(
+    boundary: &Boundary,
+    method: &Method,
+    patch: &TensorPatch,
+    shape: Option<[f64; 4]>,
+    context: &Context<'_>,
+) -> Result<(TensorPatch, AreaExtremal), MethodError> {
+    let family = family(method);
+    let (m, n) = patch.net().degrees();
+    let mut starts = Vec::new();
+    for solved in context.at_hand {
+        let Surface::Tensor(other) = &solved.surface else { continue };
+        let (k, l) = other.net().degrees();
+        if solved.family != family || solved.shape != shape || k > m || n.checked_sub(l) != Some(m - k) {
+            continue;
+        }
+        match family {
+            Family::Bernstein => starts.push(TensorPatch::bernstein(other.net().raised(m - k))?),
+            Family::Gt | Family::TbCoons if k == m => starts.push(patch.with_net(other.net().clone())?),
+            Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At => {}
+        }
+    }
+    let (tolerance, progress) = (method.tolerance, context.progress);
+    match family {
+        Family::Bernstein => {
+            let net = boundary_net(boundary)?;
+            least_area_raised(&net, method.raise, &starts, tolerance, progress)
+        }
+        Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At => {
+            least_area_from(patch, &starts, tolerance, progress)
+        }
+    }
+}
+
+/// The functions a method makes its tensor patch of.
+fn family(method: &Method) -> Family {
+    match (method.patch, method.basis) {
+        (Patch::TbCoons, _) => Family::TbCoons,
+        (Patch::Tensor | Patch::Triangle, Basis::Gt) => Family::Gt,
+        (Patch::Tensor | Patch::Triangle, Basis::Bernstein) => Family::Bernstein,
+    }
+}
+
 /// The patch of a method.
 fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
     let minimised = method.extremal_energy();
     if let Boundary::Triangle(sides) = boundary {
-        let (patch, solve, area) = triangle::solve(method, sides, context.progress)?;
+        let (patch, solve, area) = triangle::solve(method, sides, context.at_hand, context.progress)?;
         let (surface, family) = (Surface::Triangle(patch), Family::Triangle);
         return Ok(Solved { surface, family, minimised, shape: None, solve, area, search: None });
     }
@@ -58,7 +104,7 @@ fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result
         Some(figures) => (patch, Some(figures), None),
         None if minimised == Some(Energy::Area) => {
             context.progress.begin(&format!("least area of {}", method.name), None);
-            let found = least_area(&patch, method.tolerance, context.progress);
+            let found = of_least_area(boundary, method, &patch, shape, context);
             context.progress.end();
             let (patch, found) = found?;
             (patch, None, Some(found))
@@ -68,10 +114,6 @@ fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result
             (patch, Some(figures), None)
         }
     };
-    let family = match (method.patch, method.basis) {
-        (Patch::TbCoons, _) => Family::TbCoons,
-        (_, Basis::Gt) => Family::Gt,
-        _ => Family::Bernstein,
-    };
+    let family = family(method);
     Ok(Solved { surface: Surface::Tensor(patch), family, minimised, shape, solve, area, search })
 }

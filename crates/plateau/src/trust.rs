@@ -1,8 +1,6 @@
 //! What a reader must know before trusting a figure.
 
-use solve::NewtonEnd;
-
-use crate::{AreaExtremal, Figures, Search, SearchOutcome, SolveFigures, Solved, Warning};
+use crate::{AreaEnd, AreaExtremal, Figures, Search, SearchOutcome, SolveFigures, Solved, Warning};
 
 /// Condition beyond which the last digits printed are no longer certain.
 const ILL_CONDITIONED: f64 = 1e10;
@@ -78,9 +76,8 @@ fn of_solve(solve: &SolveFigures, warnings: &mut Vec<Warning>) {
 }
 
 fn of_least_area(found: &AreaExtremal, warnings: &mut Vec<Warning>) {
-    if matches!(found.end, NewtonEnd::Budget | NewtonEnd::NoDecrease | NewtonEnd::NotFinite) {
-        let (reason, iterations, gradient) = (found.reason(), found.iterations, found.gradient);
-        warnings.push(Warning::AreaNotReached { reason, iterations, gradient });
+    if found.end != AreaEnd::Stationary {
+        warnings.push(Warning::AreaNotReached { end: found.end, gradient: found.gradient });
     }
     if !found.area.settled {
         let (points, error, gradient) = (found.area.points, found.area.error, found.gradient);

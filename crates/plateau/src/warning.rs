@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::Degeneracy;
+use crate::{AreaEnd, Degeneracy};
 
 /// What a reader must know before trusting a surface or its figures; shown as one sentence.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -84,14 +84,10 @@ pub enum Warning {
         share: f64,
     },
     /// The search for the least area ended before a minimum.
-    #[error(
-        "the least area was not reached: {reason} after {iterations} steps, gradient {gradient:.1e} of the root of the area"
-    )]
+    #[error("the least area was not reached: {end}, gradient {gradient:.1e} of the root of the area")]
     AreaNotReached {
         /// Why it ended.
-        reason: &'static str,
-        /// Newton steps made.
-        iterations: usize,
+        end: AreaEnd,
         /// Gradient of the area over √area.
         gradient: f64,
     },

@@ -200,6 +200,38 @@ struct AreaEntry {
     reason: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     second_variation: Option<f64>,
+    /// What surface it began with.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    start: Option<String>,
+    /// The gradient in all coordinates; `gradient` is that along the normals.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    whole_gradient: Option<f64>,
+    /// The last surface's stages.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    stages: Option<Stages>,
+    /// Whether a saddle was left on the way.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    left_saddle: bool,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Stages {
+    corrections: StageEntry,
+    steps: StageEntry,
+    normal_steps: StageEntry,
+}
+
+/// Steps of one kind and the area lost by them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct StageEntry {
+    steps: usize,
+    gained: f64,
+}
+
+impl From<plateau::Stage> for StageEntry {
+    fn from(stage: plateau::Stage) -> Self {
+        Self { steps: stage.steps, gained: stage.gained }
+    }
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -371,13 +403,21 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             gradient: found.gradient,
             iterations: found.iterations,
             evaluations: found.evaluations,
-            reason: found.reason().to_owned(),
+            reason: found.reason(),
             second_variation: found.second_variation.and_then(finite),
+            start: Some(found.from.to_string()),
+            whole_gradient: finite(found.whole_gradient),
+            stages: Some(Stages {
+                corrections: found.corrections.into(),
+                steps: found.steps.into(),
+                normal_steps: found.normal_steps.into(),
+            }),
+            left_saddle: found.left_saddle,
         }),
         boundary_deviation: done.boundary.map(|b| b.deviation).and_then(finite),
         rim_deviation: None,
         kink: None,
-        jacobian_ratio: None,
+        jacobian_ratio: done.solved.area.map(|found| found.jacobian_ratio).and_then(finite),
         area_estimate: None,
         lower_bound: None,
         spanned_one_by_one: None,

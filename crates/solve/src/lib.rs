@@ -16,8 +16,9 @@
 //! | `Q` polynomial in shape parameters, at many of them | [`Parametric`] to about ten points a side, above it [`SeparableParametric`] | 40 ns (bicubic), 40 µs (degree 10), 0.15 ms (20) |
 //! | too few, too many or conflicting conditions | [`solve_rank`] | |
 //! | is a matrix positive definite beyond doubt? | [`proves_positive_definite`] | O(n³) |
-//! | is a critical point a minimum? | [`smallest_eigenvalue`], [`smallest_relative_eigenvalue`], [`eigen_symmetric`] | |
+//! | is a critical point a minimum? | [`smallest_eigenvalue`], [`smallest_relative_eigenvalue`], [`smallest_eigenpair`], [`eigen_symmetric`] | |
 //! | the minimum of a smooth function with its Hessian | [`newton`] | |
+//! | a sum of matrices of cells that share unknowns on their rims | [`Condensation`] | |
 //! | functions made orthonormal from samples | [`orthonormalise`] | |
 //!
 //! Every answer carries its residual, scaled as LAPACK's tests do (above 30 it is an error), and a condition number. What
@@ -44,10 +45,12 @@
 
 mod certificate;
 mod check;
+mod condensed;
 mod condition;
 mod dense;
 mod eigen;
 mod error;
+mod lanczos;
 mod memory;
 mod newton;
 mod orthonormal;
@@ -61,9 +64,11 @@ mod system;
 mod trust_region;
 
 pub use certificate::proves_positive_definite;
+pub use condensed::{Condensation, Condensed};
 pub use dense::{Cholesky, Lu, solve_general, solve_partitioned, solve_spd};
 pub use eigen::{SymmetricEigen, eigen_symmetric, smallest_eigenvalue, smallest_relative_eigenvalue};
 pub use error::{Place, SolveError};
+pub use lanczos::{Eigenpair, smallest_eigenpair};
 pub use newton::{NewtonEnd, NewtonParams, NewtonReport, SmoothFunction, newton};
 pub use orthonormal::orthonormalise;
 pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};

@@ -169,7 +169,7 @@ pub(crate) static TOLERANCE: Key<Interval> = Key::new(
     Interval::between(1e-12, 1e-2),
     "the relative decrease of the area that counts as none, for energy = \"area\"; 1e-7 is quick",
 )
-.or("1e-11");
+.or("1e-10");
 pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
 pub(crate) static PUBLISHED: Key<OneOrSeveral> =
     Key::table("published", OneOrSeveral { one: &expect::PUBLISHED, several: &expect::PUBLISHED });

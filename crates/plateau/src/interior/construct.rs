@@ -14,7 +14,7 @@ pub(crate) fn construct(
         let (net, figures) = harmonic::net(boundary)?;
         return Ok((net, Some(figures)));
     }
-    let net = boundary_net(method, boundary)?;
+    let net = boundary_net(boundary)?.raised(method.raise);
     let alpha = match method.interior {
         Interior::Mask(Mask::Alpha(alpha)) => alpha,
         Interior::DiscreteCoons => {
@@ -31,10 +31,10 @@ pub(crate) fn construct(
     Ok((net.with_coordinates(&coordinates)?.with_all_fixed(), Some(figures)))
 }
 
-/// The net with its boundary fixed, raised as the method asks.
-fn boundary_net(method: &Method, boundary: &Boundary) -> Result<Net, MethodError> {
+/// The net with its boundary fixed.
+pub(crate) fn boundary_net(boundary: &Boundary) -> Result<Net, MethodError> {
     match boundary {
-        Boundary::Tensor(sides) => Ok(sides.net()?.raised(method.raise)),
+        Boundary::Tensor(sides) => Ok(sides.net()?),
         Boundary::Opposite(_) | Boundary::Triangle(_) => {
             Err(MethodError::Unavailable { what: "this kind of boundary" })
         }

@@ -6,21 +6,24 @@ use surfaces::{TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle
 
 use super::mask;
 use crate::{
-    AreaExtremal, Energy, Interior, Mask, Method, MethodError, Progress, SolveFigures, TriangleBoundary,
-    least_area_triangle,
+    AreaExtremal, Energy, Interior, Mask, Method, MethodError, Progress, SolveFigures, Solved, Surface,
+    TriangleBoundary, least_area_triangle_raised,
 };
 
 /// Runs one method over three sides.
 pub(crate) fn solve(
     method: &Method,
     sides: &TriangleBoundary,
+    at_hand: &[&Solved],
     progress: &dyn Progress,
 ) -> Result<(TrianglePatch, Option<SolveFigures>, Option<AreaExtremal>), MethodError> {
-    let net = sides.net()?.raised(method.raise)?;
+    let own = sides.net()?;
+    let net = own.raised(method.raise)?;
     let (patch, figures) = match method.interior {
         Interior::Extremal { energy: Energy::Area, .. } => {
+            let starts = at_hand_of(&net, at_hand)?;
             progress.begin(&format!("least area of {}", method.name), None);
-            let found = least_area_triangle(&TrianglePatch::new(net)?, method.tolerance, progress);
+            let found = least_area_triangle_raised(&own, method.raise, &starts, method.tolerance, progress);
             progress.end();
             let (patch, found) = found?;
             return Ok((patch, None, Some(found)));
@@ -34,6 +37,19 @@ pub(crate) fn solve(
         Interior::Harmonic => return Err(MethodError::Unavailable { what: "a harmonic triangular net" }),
     };
     Ok((patch, Some(figures), None))
+}
+
+/// The patches at hand, raised to the degree of `net`; those of a higher one are left out.
+fn at_hand_of(net: &TriangleNet, at_hand: &[&Solved]) -> Result<Vec<TrianglePatch>, MethodError> {
+    let mut patches = Vec::new();
+    for solved in at_hand {
+        if let Surface::Triangle(patch) = &solved.surface
+            && let Some(raise) = net.degree().checked_sub(patch.net().degree())
+        {
+            patches.push(TrianglePatch::new(patch.net().raised(raise)?)?);
+        }
+    }
+    Ok(patches)
 }
 
 /// The extremal of a quadratic energy, then the metric correction (TRI Prop. 5): each step the extremal of the Dirichlet

@@ -1,79 +1,63 @@
-//! The control net of least area with its border fixed.
+//! Surfaces of least area over a border that stays.
+//!
+//! A surface is known by its points at the nodes of its cells ([`space`]). From a Coons patch (of triangles the Dirichlet
+//! extremal) metric corrections lead near, a bounded number of Newton steps in all coordinates nearer, and Newton steps along
+//! the normals to a stationary surface ([`descent`]). The valley of surfaces that differ only by moving points along them has
+//! no end; where in it the surface stays is what the corrections and the bounded steps give, which depends continuously on the
+//! border and neither on its place nor on its unit. All is judged by rules as fine as the surface asks ([`rules`]).
 
-mod reason;
+mod assembly;
+mod complex;
+mod descent;
+mod family;
+mod outcome;
+mod raised;
+mod rules;
 mod space;
+mod stability;
+mod tensor;
 #[cfg(test)]
 mod tests;
+mod triangle;
 
-use std::ops::ControlFlow;
+use energy::Integral;
+use surfaces::{Complex, Point, TensorPatch, TrianglePatch};
 
-use energy::{EnergyError, Integral, NormalVariation};
-use solve::{NewtonEnd, NewtonParams, NewtonReport, SmoothFunction, newton, smallest_relative_eigenvalue};
-use surfaces::{TensorPatch, TrianglePatch};
+pub use outcome::{AreaEnd, AreaExtremal, Stage, Start, ValleyEnd};
+pub use raised::{least_area_raised, least_area_triangle_raised};
 
 use crate::{MethodError, Progress};
-use space::{Area, Product, Space, Sums, Triangle};
+use assembly::Assembly;
+use complex::Glued;
+use descent::{Descent, Reached};
+use space::Space;
+use stability::Variation;
+use tensor::{Separated, Sums};
+use triangle::Triangular;
 
-/// What is known of a net of least area.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AreaExtremal {
-    /// The area, with the error the rule was found to make (unit: length²).
-    pub area: Integral,
-    /// The area of the Dirichlet extremal it was reached from.
-    pub start: f64,
-    /// The norm of the gradient of the area over √area, in displacements of unit Dirichlet norm `∫ |∇ψ|²` (over the
-    /// parameters), by the rule it was minimised with; dimensionless.
-    pub gradient: f64,
-    /// The same by the doubled rule: much larger only where the surface is all but singular between the points of
-    /// the rule.
-    pub finer_gradient: f64,
-    /// Newton steps (points at which a Hessian was formed), over all rules.
-    pub iterations: usize,
-    /// Evaluations of the area with its gradient, over all rules.
-    pub evaluations: usize,
-    /// Why the last iteration ended.
-    pub end: NewtonEnd,
-    /// The smallest value of `∫ (|∇f|² + 2 K f²) dA / ∫ |∇f|² dA` over displacements f N along the unit normal, f one of the
-    /// functions of the net that vanish on the border: the second variation of the area. Dimensionless, at most 1 where K ≤ 0; positive
-    /// for a stable minimum, negative for a saddle. An upper bound of its value over all f. None if no point is free,
-    /// or where the surface found has no normal.
-    pub second_variation: Option<f64>,
-}
+/// A second variation below minus this is negative.
+const UNSTABLE: f64 = 1e-6;
 
-/// The gradient that counts as 0, relative to √area.
-const GRADIENT_TOLERANCE: f64 = 1e-10;
+/// Saddles left one after the other.
+const SADDLES: usize = 3;
 
-/// Relative change of the area under a doubled rule at which the rule is accepted, if the gradient agrees too; a tenth of the
-/// tolerance where that is more.
-const RULE_TOLERANCE: f64 = 1e-10;
+/// Share of the root of the area by which a saddle is left at first, and how often that is halved.
+const LEAVE: f64 = 0.1;
+const HALVINGS: usize = 6;
 
-/// The rule begins with this many points more than one and a half times the degree.
-const FIRST_RULE: usize = 8;
+/// Relative change of the area by a finer rule below which the rule is said to resolve it; a tenth of the tolerance where that
+/// is more.
+const RESOLVED: f64 = 1e-9;
 
-/// The rule is not doubled beyond this many points in each direction.
-const LARGEST_RULE: usize = 192;
+/// Share of the area by which another surface must have less to count as lower.
+const LOWER: f64 = 1e-12;
 
-/// The first trust region in units of √area.
-const FIRST_RADIUS: f64 = 0.25;
-
-/// What the square of the distance to the Dirichlet extremal, in the Dirichlet norm, counts at first beside the area: one
-/// after the other, each from the minimum of the one before. Moving points along the surface hardly changes the area;
-/// this leads into the valley of all the nets of nearly least area where it is closest, and within 10⁻⁵ of it.
-const PULLS: [f64; 2] = [0.03, 1e-3];
-
-/// Steps with each of them, where the least area is wanted to many digits; half of them where few will do.
-const PULLED_STEPS: usize = 8;
-
-/// A tolerance from which few digits are wanted.
-const COARSE: f64 = 1e-8;
-
-/// The patch of least area on the border of `patch`, among the nets of its families: from the Dirichlet extremal by
-/// trust-region Newton steps. The free points of `patch` play no part. `tolerance` is the relative decrease of the area that
-/// counts as none: along the valley of nets that differ by moving points along the surface there is no other end. `progress`
-/// hears of every Newton step.
+/// The patch of least area on the border of `patch`, among the nets of its families. The free points of `patch` play no part.
+/// `tolerance` is the relative decrease of the area that counts as none while points may still move along the surface.
+/// `progress` hears of every step.
 ///
 /// # Errors
-/// [`MethodError::Energy`] with [`EnergyError::Singular`] if the Dirichlet extremal has parallel tangents at a point of
+/// [`MethodError::Energy`] with [`energy::EnergyError::Singular`] if the start has parallel tangents at a point of
 /// the rule, [`MethodError::Solve`] if the functions depend on each other to working precision,
 /// [`MethodError::Interrupted`] if `progress` cancels.
 pub fn least_area(
@@ -81,12 +65,22 @@ pub fn least_area(
     tolerance: f64,
     progress: &dyn Progress,
 ) -> Result<(TensorPatch, AreaExtremal), MethodError> {
-    let (m, n) = patch.net().degrees();
-    let points = 3 * m.max(n) / 2 + FIRST_RULE;
-    if patch.products().len() == 1 {
-        minimise_in(&Product::new(patch)?, patch, points, tolerance, progress)
-    } else {
-        minimise_in(&Sums::new(patch, points)?, patch, points, tolerance, progress)
+    least_area_from(patch, &[], tolerance, progress)
+}
+
+/// As [`least_area`], not above any of `starts`: patches of the same families over the same border that are at hand.
+///
+/// # Errors
+/// As [`least_area`].
+pub fn least_area_from(
+    patch: &TensorPatch,
+    starts: &[TensorPatch],
+    tolerance: f64,
+    progress: &dyn Progress,
+) -> Result<(TensorPatch, AreaExtremal), MethodError> {
+    match patch.products() {
+        [product] => minimise(&Separated::new(patch, product)?, None, starts, tolerance, progress),
+        _ => minimise(&Sums::new(patch)?, None, starts, tolerance, progress),
     }
 }
 
@@ -99,133 +93,176 @@ pub fn least_area_triangle(
     tolerance: f64,
     progress: &dyn Progress,
 ) -> Result<(TrianglePatch, AreaExtremal), MethodError> {
-    let points = 3 * patch.net().degree() / 2 + FIRST_RULE;
-    minimise_in(&Triangle::new(patch.net(), points)?, patch, points, tolerance, progress)
+    least_area_triangle_from(patch, &[], tolerance, progress)
 }
 
-fn minimise_in<S: Space>(
-    space: &S,
-    patch: &S::Patch,
-    mut points: usize,
+/// As [`least_area_triangle`], not above any of `starts`.
+///
+/// # Errors
+/// As [`least_area`].
+pub fn least_area_triangle_from(
+    patch: &TrianglePatch,
+    starts: &[TrianglePatch],
     tolerance: f64,
     progress: &dyn Progress,
-) -> Result<(S::Patch, AreaExtremal), MethodError> {
-    let mut area = space.area(patch, points)?;
-    let mut gradient = vec![0.0; area.unknowns()];
-    let dirichlet: Vec<f64> = area.dirichlet_projection().iter().map(|c| -c).collect();
-    let start = area.value_and_gradient(&dirichlet, &mut gradient)?;
-    let unit = start.sqrt();
-    // An area to a coarse tolerance leaves a gradient of the order of its root.
-    let gradient_tolerance =
-        unit * if tolerance < COARSE { GRADIENT_TOLERANCE } else { 0.01 * tolerance.sqrt() };
-    let params = NewtonParams {
-        value_tolerance: tolerance,
-        patience: patience(tolerance),
-        ..NewtonParams::new(GRADIENT_TOLERANCE * unit, FIRST_RADIUS * unit)
-    };
-    let pulled_steps = if tolerance < COARSE { PULLED_STEPS } else { PULLED_STEPS / 2 };
-    let (mut iterations, mut evaluations, mut x) = (0, 1, dirichlet.clone());
-    for pull in PULLS {
-        let mut pulled = Pulled { area: &area, pull, to: &dirichlet, progress };
-        let size =
-            x.iter().zip(&dirichlet).map(|(x, d)| (x - d).powi(2)).sum::<f64>().sqrt().max(0.01 * unit);
-        let loose = NewtonParams { iterations: pulled_steps, ..NewtonParams::new(0.5 * pull * size, unit) };
-        let report = uninterrupted(newton(&mut pulled, &x, loose)?)?;
-        iterations += report.hessians;
-        evaluations += report.evaluations;
-        x = report.x;
+) -> Result<(TrianglePatch, AreaExtremal), MethodError> {
+    minimise(&Triangular::new(patch.net())?, None, starts, tolerance, progress)
+}
+
+/// The complex of least area with the faces, edges and fixed points of `complex`, which is the start: as [`least_area`]. Where
+/// three and more faces meet along an edge, the edge moves to where their areas balance.
+///
+/// # Errors
+/// As [`least_area`].
+pub fn least_area_complex(
+    complex: &Complex,
+    starts: &[Complex],
+    tolerance: f64,
+    progress: &dyn Progress,
+) -> Result<(Complex, AreaExtremal), MethodError> {
+    minimise(&Glued::new(complex)?, None, starts, tolerance, progress)
+}
+
+/// The surface of least area of a space, from `lower` if there is one, else from the start of the space; not above `starts`.
+fn minimise<S: Space>(
+    space: &S,
+    lower: Option<&S::Surface>,
+    starts: &[S::Surface],
+    tolerance: f64,
+    progress: &dyn Progress,
+) -> Result<(S::Surface, AreaExtremal), MethodError> {
+    let mut descent = Descent::new(space, tolerance, progress)?;
+    let (mut start, form) = space.start();
+    let mut from = Start::Coons;
+    if let Some(form) = form {
+        start = descent.dirichlet(&start, form)?;
+        from = Start::Dirichlet;
     }
-    let mut patch = space.moved(patch, &vec![0.0; x.len()])?;
-    loop {
-        let mut free = Pulled { area: &area, pull: 0.0, to: &x, progress };
-        let report = uninterrupted(newton(&mut free, &x, params)?)?;
-        iterations += report.hessians;
-        evaluations += report.evaluations + 1;
-        patch = space.moved(&patch, &report.x)?;
-        let finer = space.area(&patch, 2 * points)?;
-        x = vec![0.0; report.x.len()];
-        let value = finer.value_and_gradient(&x, &mut gradient)?;
-        let norm = gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
-        let error = (value - report.value).abs() + 64.0 * f64::EPSILON * value;
-        let settled = error <= RULE_TOLERANCE.max(0.1 * tolerance) * value;
-        let confirmed = settled && norm <= report.gradient_norm + gradient_tolerance;
-        if confirmed || 4 * points > LARGEST_RULE {
-            let second_variation = match space.variation(&patch, &area) {
-                Ok(variation) => smallest(&variation)?,
-                Err(MethodError::Energy(EnergyError::Singular { .. })) => None,
-                Err(error) => return Err(error),
-            };
-            let found = AreaExtremal {
-                area: Integral { value, error, points: 2 * points, settled },
-                start,
-                gradient: report.gradient_norm / unit,
-                finer_gradient: norm / value.sqrt(),
-                iterations,
-                evaluations,
-                end: report.end,
-                second_variation,
-            };
-            return Ok((patch, found));
+    let reference = start.clone();
+    let at_hand = starts.iter().map(|surface| space.nodes(surface)).collect::<Result<Vec<_>, _>>()?;
+    if let Some(lower) = lower {
+        (start, from) = (space.nodes(lower)?, Start::AtHand);
+    }
+    // Another surface is a better start if it has less area and its parametrisation is as even.
+    let (mut least, evenness) = descent.judge(&start)?;
+    for x in &at_hand {
+        let (area, even) = descent.judge(x)?;
+        if area < least && even >= evenness {
+            (start, least, from) = (x.clone(), area, Start::AtHand);
         }
-        area = finer;
-        points *= 2;
     }
-}
-
-fn uninterrupted(report: NewtonReport) -> Result<NewtonReport, MethodError> {
-    if report.end == NewtonEnd::Stopped { Err(MethodError::Interrupted) } else { Ok(report) }
-}
-
-/// Steps without a decrease to wait for: 8 where the area is wanted to all digits, 1 at a tolerance of 10⁻⁷ and above.
-fn patience(tolerance: f64) -> usize {
-    (-13.0 - 2.0 * libm::log10(tolerance)).clamp(1.0, 8.0) as usize
-}
-
-/// The smallest eigenvalue of the second variation against the Dirichlet product of the surface.
-fn smallest(variation: &NormalVariation) -> Result<Option<f64>, MethodError> {
-    let n = variation.gradient.rows();
-    let (curvature, gradient) = (variation.curvature.as_slice(), variation.gradient.as_slice());
-    Ok(smallest_relative_eigenvalue(n, curvature, gradient)?.map(|smallest| 1.0 + smallest))
-}
-
-/// `A(x) + ½ pull |x − to|²` as Newton's method asks for it: a point where the area has no gradient lies outside of its
-/// domain.
-struct Pulled<'a> {
-    area: &'a Area,
-    pull: f64,
-    to: &'a [f64],
-    progress: &'a dyn Progress,
-}
-
-impl SmoothFunction for Pulled<'_> {
-    fn unknowns(&self) -> usize {
-        self.area.unknowns()
-    }
-
-    fn value_and_gradient(&mut self, x: &[f64], gradient: &mut [f64]) -> f64 {
-        let mut value = self.area.value_and_gradient(x, gradient).unwrap_or(f64::NAN);
-        for ((g, x), to) in gradient.iter_mut().zip(x).zip(self.to) {
-            *g += self.pull * (x - to);
-            value += 0.5 * self.pull * (x - to).powi(2);
+    descent.check(&start)?;
+    let mut best = descent.run(start, &reference)?;
+    for x in at_hand {
+        let (area, _) = descent.judge(&x)?;
+        if area < best.settled.area * (1.0 - LOWER) {
+            let other = descent.run(x, &reference)?;
+            if other.settled.area < best.settled.area {
+                (best, least, from) = (other, area, Start::AtHand);
+            }
         }
-        value
     }
+    let mut variation = descent.variation(&best.x, best.settled.points)?;
+    let mut left_saddle = false;
+    for _ in 0..SADDLES {
+        let Some(negative) = variation.as_ref().filter(|v| v.smallest < -UNSTABLE) else { break };
+        let Some(lower) = leave_saddle(&mut descent, &best, negative, &reference)? else { break };
+        variation = descent.variation(&lower.x, lower.settled.points)?;
+        (best, left_saddle) = (lower, true);
+    }
+    let gradients = descent.gradients(&best.x, best.settled.points)?;
+    let found = extremal(&descent, &best, least, gradients, variation.map(|v| v.smallest), left_saddle);
+    let jacobian_ratio = descent.judge(&best.x)?.1;
+    Ok((space.surface(&best.x)?, AreaExtremal { from, jacobian_ratio, ..found }))
+}
 
-    fn hessian(&mut self, x: &[f64], hessian: &mut [f64]) {
-        if self.area.hessian(x, hessian).is_err() {
-            hessian.fill(f64::NAN);
+/// The lower of the two surfaces that a saddle leads to along its negative direction; none if neither is lower than it.
+fn leave_saddle<S: Space>(
+    descent: &mut Descent<'_, '_, S>,
+    saddle: &Reached,
+    variation: &Variation,
+    reference: &[Point],
+) -> Result<Option<Reached>, MethodError> {
+    let normals = descent.normals(&saddle.x)?;
+    let mut directions = vec![Point::ZERO; saddle.x.len()];
+    let free = (0..saddle.x.len()).filter(|&node| !descent.rules.space.topology().fixed[node]);
+    for (node, f) in free.zip(&variation.displacement) {
+        if let [normal] = normals[node].directions() {
+            directions[node] = *normal * *f;
         }
-        hessian.iter_mut().step_by(x.len() + 1).for_each(|h| *h += self.pull);
+    }
+    let largest = directions.iter().map(|d| d.norm()).fold(0.0, f64::max);
+    let (area, points) = (saddle.settled.area, saddle.settled.points);
+    let mut lowest: Option<Reached> = None;
+    for side in [1.0, -1.0] {
+        let mut step = side * LEAVE * area.sqrt() / largest;
+        for _ in 0..HALVINGS {
+            let x: Vec<Point> = saddle.x.iter().zip(&directions).map(|(&x, &d)| x + d * step).collect();
+            if descent.rules.settle(points, &x)?.area < area {
+                let reached = descent.run(x, reference)?;
+                let bound = lowest.as_ref().map_or(area * (1.0 - LOWER), |lowest| lowest.settled.area);
+                if reached.settled.area < bound {
+                    lowest = Some(reached);
+                }
+                break;
+            }
+            step *= 0.5;
+        }
+    }
+    Ok(lowest)
+}
+
+/// What is told of a surface, in the unit of its border.
+fn extremal<S: Space>(
+    descent: &Descent<'_, '_, S>,
+    reached: &Reached,
+    start: f64,
+    [gradient, whole_gradient]: [f64; 2],
+    second_variation: Option<f64>,
+    left_saddle: bool,
+) -> AreaExtremal {
+    let square = descent.rules.space.frame().unit().powi(2);
+    let stage = |stage: Stage| Stage { gained: stage.gained * square, ..stage };
+    let settled = reached.settled;
+    AreaExtremal {
+        area: Integral {
+            value: settled.area * square,
+            error: (settled.error + 64.0 * f64::EPSILON * settled.area) * square,
+            points: settled.points,
+            settled: settled.error <= RESOLVED.max(0.1 * descent.tolerance) * settled.area,
+        },
+        start: start * square,
+        from: Start::Coons,
+        corrections: stage(reached.corrections),
+        steps: stage(reached.steps),
+        normal_steps: stage(reached.normal_steps),
+        gradient,
+        whole_gradient,
+        iterations: descent.iterations,
+        evaluations: descent.evaluations,
+        end: reached.end,
+        valley: reached.valley,
+        jacobian_ratio: 0.0,
+        second_variation,
+        left_saddle,
+        cutting_gains: 0.0,
+    }
+}
+
+impl<S: Space> Descent<'_, '_, S> {
+    /// The area of a surface and the least over the mean of its density.
+    fn judge(&mut self, x: &[Point]) -> Result<(f64, f64), MethodError> {
+        let settled = self.rules.settle(self.rules.first(), x)?;
+        let cell = self.rules.cell(settled.points)?;
+        let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
+        Ok((settled.area, assembly.jacobian_ratio(&assembly.tangents(x))))
     }
 
-    fn watch(&mut self, reached: &NewtonReport) -> ControlFlow<()> {
-        self.progress.step();
-        let distance: f64 = reached.x.iter().zip(self.to).map(|(x, to)| (x - to).powi(2)).sum();
-        self.progress.tell(&format!(
-            "(step {}: area {:.9})",
-            reached.iterations,
-            reached.value - 0.5 * self.pull * distance
-        ));
-        if self.progress.cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    /// That a surface has a normal at the points of the first rule.
+    fn check(&mut self, x: &[Point]) -> Result<(), MethodError> {
+        let cell = self.rules.cell(self.rules.first())?;
+        let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
+        assembly.gradient(&assembly.tangents(x))?;
+        Ok(())
     }
 }

@@ -2,10 +2,13 @@
 
 use energy::{DenseForm, Functional, MetricForm, QuadraticForm, area};
 use proptest::prelude::*;
-use solve::{NewtonEnd, Partition, solve_partitioned};
+use solve::{Partition, solve_partitioned};
 use surfaces::{Mesh, Net, Patch, Point, TensorPatch, TriangleNet, TrianglePatch, tb_coons};
 
-use super::{AreaExtremal, least_area, least_area_triangle};
+use super::{AreaEnd, AreaExtremal, least_area, least_area_triangle};
+
+/// The tolerance of experiments that do not give one.
+const DEFAULT: f64 = 1e-10;
 
 /// GT Example 5.1 (P30 = (0, 6, 0)) for `s = 1`, Example 5.2 for `s = −1`.
 fn bicubic(s: f64) -> Net {
@@ -60,7 +63,10 @@ fn bicubic_nets_and_their_raised_ones() {
         let (patch, found) = of(bicubic(s).raised(raise));
         assert!((found.area.value - expected).abs() <= tolerance, "{found:?}");
         assert!(found.area.settled && found.gradient <= 2e-8, "{found:?}");
-        assert!(found.iterations <= if raise == 0 { 15 } else { 30 }, "{found:?}");
+        let (_, quick) =
+            least_area(&TensorPatch::bernstein(bicubic(s).raised(raise)).unwrap(), DEFAULT, &()).unwrap();
+        assert!(quick.iterations <= if raise == 0 { 15 } else { 50 }, "{quick:?}");
+        assert!(quick.area.value / found.area.value - 1.0 <= 1e-7, "{quick:?}");
         assert!(found.second_variation.is_some_and(|sigma| (0.8..1.0).contains(&sigma)), "{found:?}");
         assert!((area(&patch).unwrap().value - found.area.value).abs() <= 1e-9);
     }
@@ -83,7 +89,10 @@ fn enneper_is_found_exactly() {
     let (patch, found) = least_area_triangle(&TrianglePatch::new(enneper()).unwrap(), 1e-11, &()).unwrap();
     let middle = patch.net().point(1, 1);
     assert!(middle.distance(Point::new(2.0 / 3.0, 1.0, 5.0 / 3.0)) <= 1e-12, "{middle:?}");
-    assert!((found.area.value - 421.0 / 90.0).abs() <= 1e-12 && found.end == NewtonEnd::Minimum, "{found:?}");
+    assert!(
+        (found.area.value - 421.0 / 90.0).abs() <= 1e-12 && found.end == AreaEnd::Stationary,
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -115,7 +124,7 @@ fn plane_borders_have_flat_extremals() {
     let row = |s: f64| [0.0, 0.3, 1.0].map(|t| flat(s, t));
     let col = |t: f64| [0.0, 0.6, 1.0].map(|s| flat(s, t));
     let (_, found) = of(Net::from_boundary(&row(0.0), &row(1.0), &col(0.0), &col(1.0)).unwrap());
-    assert_eq!(found.end, NewtonEnd::Minimum);
+    assert_eq!(found.end, AreaEnd::Stationary);
     assert!((found.area.value - found.start).abs() <= 1e-9, "{found:?}");
     assert!(found.second_variation.is_some_and(|sigma| (sigma - 1.0).abs() <= 1e-9), "{found:?}");
 }
@@ -136,16 +145,16 @@ fn borders_without_freedom_or_without_area_are_told() {
 fn check(found: &AreaExtremal, patch: &dyn Patch, dirichlet: f64) -> Result<(), TestCaseError> {
     let tolerance = 1e-9 * found.area.value;
     prop_assert!(found.area.value <= found.start + tolerance, "{found:?}");
-    prop_assert!(found.start <= dirichlet + tolerance, "{dirichlet} {found:?}");
+    prop_assert!(found.area.value <= dirichlet + tolerance, "{dirichlet} {found:?}");
     let exact = area(patch).unwrap();
     prop_assert!(
         (exact.value - found.area.value).abs() <= tolerance + 2.0 * (exact.error + found.area.error),
         "{found:?}"
     );
-    prop_assert!(matches!(found.end, NewtonEnd::Minimum | NewtonEnd::Flat), "{found:?}");
+    prop_assert_eq!(found.end, AreaEnd::Stationary, "{:?}", found);
     // A net that folds nearly to a point is not settled by the largest rule, and says so; all others are stationary.
     if found.area.settled {
-        prop_assert!(found.gradient * found.area.value.sqrt() <= 1e-9 * found.area.value, "{found:?}");
+        prop_assert!(found.gradient <= 1e-11, "{found:?}");
     }
     prop_assert!(found.second_variation.is_some_and(f64::is_finite), "{found:?}");
     // Without positive curvature the form is at most that of a plane.
@@ -174,11 +183,11 @@ proptest! {
         let form = QuadraticForm::of(Functional::Dirichlet, &patch).unwrap();
         let matrix = form.matrix();
         let solved = solve_partitioned(20, matrix.as_slice(), &Partition::new(net.fixed()), 3, &net.coordinates()).unwrap();
-        let (extremal, found) = least_area(&patch, 1e-11, &()).unwrap();
+        let (extremal, found) = least_area(&patch, DEFAULT, &()).unwrap();
         check(&found, &extremal, form.value(&solved.x))?;
         prop_assert_eq!(extremal.net().boundary(), net.boundary());
         // From its own extremal it goes nowhere.
-        let (_, again) = least_area(&extremal, 1e-11, &()).unwrap();
+        let (_, again) = least_area(&extremal, DEFAULT, &()).unwrap();
         prop_assert!((again.area.value - found.area.value).abs() <= 1e-9 * found.area.value);
     }
 
@@ -198,7 +207,7 @@ proptest! {
         let count = net.points().len();
         let solved =
             solve_partitioned(count, form.matrix().as_slice(), &Partition::new(net.fixed()), 3, &net.coordinates()).unwrap();
-        let (extremal, found) = least_area_triangle(&TrianglePatch::new(net).unwrap(), 1e-11, &()).unwrap();
+        let (extremal, found) = least_area_triangle(&TrianglePatch::new(net).unwrap(), DEFAULT, &()).unwrap();
         check(&found, &extremal, form.value(&solved.x))?;
     }
 }

@@ -1,0 +1,139 @@
+//! What is known of a surface of least area.
+
+use std::fmt;
+
+use energy::Integral;
+
+/// What is known of a net of least area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AreaExtremal {
+    /// The area, with the error the rule was found to make (unit: length²).
+    pub area: Integral,
+    /// The area of the surface it was reached from.
+    pub start: f64,
+    /// What that surface was.
+    pub from: Start,
+    /// Metric corrections: each the extremal of the Dirichlet energy in the metric of the surface before.
+    pub corrections: Stage,
+    /// Newton steps in all coordinates.
+    pub steps: Stage,
+    /// Newton steps along the normals.
+    pub normal_steps: Stage,
+    /// The norm of the gradient of the area over √area, in displacements along the normals at the nodes whose Dirichlet norm
+    /// over the surface is 1; dimensionless. Rounding is of the order of 1e-14.
+    pub gradient: f64,
+    /// The same over all displacements. What it has more belongs to the parametrisation: moving points along the surface
+    /// hardly changes the area.
+    pub whole_gradient: f64,
+    /// Points at which a Hessian or a metric was formed, over all starts.
+    pub iterations: usize,
+    /// Evaluations of the area, over all starts.
+    pub evaluations: usize,
+    /// Why it ended.
+    pub end: AreaEnd,
+    /// What kept the steps in all coordinates from going on.
+    pub valley: ValleyEnd,
+    /// The least over the mean of `|x_u × x_v|` at the points of the rule; 0 where the parametrisation folds or is singular.
+    pub jacobian_ratio: f64,
+    /// The smallest value of `∫ (|∇f|² + 2 K f²) dA / ∫ |∇f|² dA` over displacements f N along the unit normal, f one of the
+    /// functions of the net that vanish on the border: the second variation of the area. Dimensionless, at most 1 where
+    /// K ≤ 0; positive for a stable minimum, negative for a saddle. An upper bound of its value over all f. None if no point
+    /// is free, or where the surface is singular or nearly.
+    pub second_variation: Option<f64>,
+    /// Whether a saddle was met and left along its negative direction.
+    pub left_saddle: bool,
+    /// What cutting an elongated patch across would gain, as far as it was tried; 0 if it was not.
+    pub cutting_gains: f64,
+}
+
+impl AreaExtremal {
+    /// The reason that records of earlier versions give where points slid within the surface, so that only what does not
+    /// depend on the parameters was determined.
+    pub const SLIDES: &str = "the area is all but constant along what remains of the gradient";
+
+    /// Why it ended, in words.
+    pub fn reason(&self) -> String {
+        format!("{}; {}", self.end, self.valley)
+    }
+}
+
+/// Steps of one kind and what they gained.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Stage {
+    /// Steps taken.
+    pub steps: usize,
+    /// Area lost by them.
+    pub gained: f64,
+}
+
+/// The surface a minimisation started from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Start {
+    /// The Coons patch of its border.
+    Coons,
+    /// The extremal of the Dirichlet energy.
+    Dirichlet,
+    /// A surface that was at hand: of a lower degree, or of another method.
+    AtHand,
+}
+
+/// Why a minimisation ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum AreaEnd {
+    /// The gradient along the normals is rounding, and no curvature among them is negative.
+    Stationary,
+    /// No step along the normals lowers the area beyond rounding, though their gradient is more than that: the surface is
+    /// singular, or its area not resolved by the rule.
+    Rough,
+    /// All steps along the normals that are allowed were made.
+    Budget,
+}
+
+/// Why the steps in all coordinates ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ValleyEnd {
+    /// Two steps one after the other gained less than the tolerance.
+    Tolerance,
+    /// No step gains anything beyond rounding.
+    Rounding,
+    /// The parametrisation would have become less even than a tenth of the start's.
+    Ratio,
+    /// All steps that are allowed were made.
+    Budget,
+}
+
+impl fmt::Display for Start {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Coons => "the Coons patch",
+            Self::Dirichlet => "the Dirichlet extremal",
+            Self::AtHand => "a surface at hand",
+        })
+    }
+}
+
+impl fmt::Display for AreaEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Stationary => "the gradient along the normals is rounding",
+            Self::Rough => {
+                "no step along the normals lowers the area beyond rounding, but their gradient is more than that"
+            }
+            Self::Budget => "all steps along the normals that are allowed were made",
+        })
+    }
+}
+
+impl fmt::Display for ValleyEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Tolerance => "moving points along the surface gains less than the tolerance",
+            Self::Rounding => "moving points along the surface gains no more than rounding",
+            Self::Ratio => "moving points further along the surface would nearly fold the parametrisation",
+            Self::Budget => "all steps that may move points along the surface were made",
+        })
+    }
+}
