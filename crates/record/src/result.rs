@@ -194,7 +194,8 @@ struct Kink {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct AreaEntry {
     start_area: f64,
-    gradient: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    gradient: Option<f64>,
     iterations: usize,
     evaluations: usize,
     reason: String,
@@ -400,7 +401,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         certified: solve.and_then(|s| s.certified),
         area_extremal: done.solved.area.map(|found| AreaEntry {
             start_area: found.start,
-            gradient: found.gradient,
+            gradient: finite(found.gradient),
             iterations: found.iterations,
             evaluations: found.evaluations,
             reason: found.reason(),

@@ -49,6 +49,9 @@ const HALVINGS: usize = 6;
 /// is more.
 const RESOLVED: f64 = 1e-9;
 
+/// An area below this share of the Dirichlet energy is rounding.
+const NO_AREA: f64 = 1e-12;
+
 /// Share of the area by which another surface must have less to count as lower.
 const LOWER: f64 = 1e-12;
 
@@ -162,6 +165,7 @@ fn minimise<S: Space>(
             }
         }
     }
+    descent.check_area(&best.x)?;
     let mut variation = descent.variation(&best.x, best.settled.points)?;
     let mut left_saddle = false;
     for _ in 0..SADDLES {
@@ -263,6 +267,22 @@ impl<S: Space> Descent<'_, '_, S> {
         let cell = self.rules.cell(self.rules.first())?;
         let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
         assembly.gradient(&assembly.tangents(x))?;
-        Ok(())
+        self.check_area(x)
+    }
+
+    /// That a surface has an area beyond rounding.
+    fn check_area(&mut self, x: &[Point]) -> Result<(), MethodError> {
+        let cell = self.rules.cell(self.rules.first())?;
+        let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
+        let tangents = assembly.tangents(x);
+        let squares = |line: &[[Point; 2]]| {
+            let of = |([u, v], w): (&[Point; 2], &f64)| 0.5 * w * (u.dot(*u) + v.dot(*v));
+            line.iter().zip(cell.weights()).map(of).sum::<f64>()
+        };
+        let dirichlet: f64 = tangents.iter().map(|line| squares(line)).sum();
+        match assembly.area_of(&tangents) <= NO_AREA * dirichlet {
+            true => Err(cell.singular(0).into()),
+            false => Ok(()),
+        }
     }
 }
