@@ -45,6 +45,12 @@ impl Figures {
     /// # Errors
     /// As [`energy::integrate`].
     pub fn of_all(patches: &[&dyn Patch], mesh: &Mesh) -> Result<Self, EnergyError> {
+        Self::of_moved(patches, mesh, 0.0)
+    }
+
+    /// As [`Self::of_all`], of patches whose boundary was given `distance` away from where they lie, and rounded to the coordinates
+    /// there: an area that such rounding makes is none.
+    pub(crate) fn of_moved(patches: &[&dyn Patch], mesh: &Mesh, distance: f64) -> Result<Self, EnergyError> {
         let [area] = summed(patches, |patch| Ok([area(patch)?]))?;
         let [dirichlet] =
             summed(patches, |patch| integrate(patch, TOLERANCE, [0.0], |jet| [jet.dirichlet_density()]))?;
@@ -56,7 +62,8 @@ impl Figures {
         let [laplacian_defect, bending] =
             summed(patches, |patch| integrate(patch, TOLERANCE, [scale; 2], second))?;
         // What is no more than the rounding of the tangents is no area, and no curvature comes of it.
-        let size = mesh.points.iter().map(|p| p.norm()).fold((2.0 * dirichlet.value).sqrt(), f64::max);
+        let reach = mesh.points.iter().map(|p| p.norm()).fold(distance, f64::max);
+        let size = reach.max((2.0 * dirichlet.value).sqrt());
         let has_area = area.value > ROUNDING * size * dirichlet.value.sqrt();
         // ∫H² has no unit: measured against 1. It may diverge at singular points; then it stays unsettled.
         let willmore = |jet: &Jet| [jet.mean_curvature().map_or(0.0, |h| h * h * jet.area_density())];

@@ -14,20 +14,24 @@ const WORST_CANCELLATION: f64 = 1e-3;
 
 /// The patch of a method over a boundary, with its figures.
 ///
+/// All is computed relative to a point of the boundary ([`anchor`](surfaces::anchor)) and moved there in the end: how far from the
+/// origin the boundary lies changes no figure, and its control points are those given, bit for bit (unless `raise` makes others).
+///
 /// # Errors
 /// [`MethodError`] says why there is none.
 pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result<Done, MethodError> {
     if context.progress.cancelled() {
         return Err(MethodError::Interrupted);
     }
-    let solved = solved(boundary, method, context)?;
+    let (boundary, origin) = boundary.anchored();
+    let mut solved = solved(&boundary, method, context)?;
     let cancellation = solved.surface.cancellation();
     if cancellation > WORST_CANCELLATION {
         return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
     }
     context.progress.begin(&format!("figures of {}", method.name), None);
-    let mesh = solved.surface.mesh(context.mesh);
-    let figures = Figures::of(solved.surface.patch(), &mesh);
+    let mut mesh = solved.surface.mesh(context.mesh);
+    let figures = Figures::of_moved(&[solved.surface.patch()], &mesh, origin.norm());
     context.progress.end();
     let figures = figures?;
     let boundary = match &solved.surface {
@@ -35,6 +39,8 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         Surface::Triangle(_) | Surface::Pieces(_) => None,
     };
     let warnings = trust::warnings(&solved, &figures, &context.search);
+    solved.surface = solved.surface.moved(origin)?;
+    mesh.points.iter_mut().for_each(|p| *p += origin);
     Ok(Done { solved, mesh, figures, boundary, closed_form: None, warnings })
 }
 

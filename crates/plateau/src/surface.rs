@@ -1,6 +1,6 @@
 //! Patches of any kind.
 
-use surfaces::{Mesh, Patch, Pieces, Point, TensorPatch, TrianglePatch};
+use surfaces::{Mesh, Patch, Pieces, Point, SurfaceError, TensorPatch, TrianglePatch};
 
 /// A patch of any kind.
 #[derive(Debug, Clone)]
@@ -58,6 +58,31 @@ impl Surface {
             Self::Triangle(patch) => (patch.net().degree(), patch.net().degree()),
             Self::Pieces(_) => (0, 0),
         }
+    }
+
+    /// The surface moved.
+    pub(crate) fn moved(self, by: Point) -> Result<Self, SurfaceError> {
+        if by == Point::ZERO {
+            return Ok(self);
+        }
+        let all =
+            |points: &[Point]| points.iter().flat_map(|&p| <[f64; 3]>::from(p + by)).collect::<Vec<_>>();
+        let tensor = |patch: TensorPatch| {
+            let net = patch.net().with_coordinates(&all(patch.net().points()))?;
+            patch.with_net(net)
+        };
+        Ok(match self {
+            Self::Tensor(patch) => Self::Tensor(tensor(patch)?),
+            Self::Triangle(patch) => {
+                let net = patch.net();
+                Self::Triangle(TrianglePatch::new(net.with_coordinates(&all(net.points()))?)?)
+            }
+            Self::Pieces(pieces) => {
+                let [u, v] = pieces.cuts().map(<[f64]>::to_vec);
+                let patches = pieces.patches().iter().cloned().map(tensor).collect::<Result<_, _>>()?;
+                Self::Pieces(Pieces::from_patches(u, v, patches)?)
+            }
+        })
     }
 
     /// Its triangle mesh.

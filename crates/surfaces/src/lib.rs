@@ -28,6 +28,7 @@
 //! # Ok::<(), surfaces::SurfaceError>(())
 //! ```
 
+mod anchor;
 mod complex;
 mod conjugate_gradients;
 mod curve;
@@ -52,6 +53,7 @@ mod triangle;
 mod triangle_basis;
 mod triangle_net;
 
+pub use anchor::anchor;
 pub use complex::{
     Complex, ComplexError, ComplexMesh, Edge, EdgeUse, Face, FixedEdge, Orientation, Side, Vertex,
 };

@@ -15,7 +15,7 @@ pub use opposite::{Direction, OppositeSides};
 pub use tensor::TensorBoundary;
 pub use triangle::TriangleBoundary;
 
-use surfaces::{Point, extent};
+use surfaces::{Point, anchor, extent};
 
 use crate::Warning;
 
@@ -41,15 +41,38 @@ impl Boundary {
         }
     }
 
+    /// All control points given, side by side.
+    fn points(&self) -> Vec<Point> {
+        let sides: &[Vec<Point>] = match self {
+            Self::Tensor(boundary) => boundary.sides(),
+            Self::Opposite(boundary) => boundary.sides(),
+            Self::Triangle(boundary) => boundary.sides(),
+        };
+        sides.concat()
+    }
+
+    /// The boundary relative to a point of its own, and that point: nothing of it is rounded ([`anchor`]).
+    pub(crate) fn anchored(&self) -> (Self, Point) {
+        let origin = anchor(&self.points());
+        let mut near = self.clone();
+        let sides: &mut [Vec<Point>] = match &mut near {
+            Self::Tensor(boundary) => boundary.sides_mut(),
+            Self::Opposite(boundary) => boundary.sides_mut(),
+            Self::Triangle(boundary) => boundary.sides_mut(),
+        };
+        sides.iter_mut().flatten().for_each(|p| *p = *p - origin);
+        (near, origin)
+    }
+
     /// What is to be said of corners that were made one: nothing where they agree digit for digit.
     #[must_use]
     pub fn welding(&self) -> Option<Warning> {
-        let (distance, sides): (f64, &[Vec<Point>]) = match self {
-            Self::Tensor(boundary) => (boundary.welded(), boundary.sides()),
+        let distance = match self {
+            Self::Tensor(boundary) => boundary.welded(),
             Self::Opposite(_) => return None,
-            Self::Triangle(boundary) => (boundary.welded(), boundary.sides()),
+            Self::Triangle(boundary) => boundary.welded(),
         };
-        let size = extent(&sides.concat());
+        let size = extent(&self.points());
         (distance > 0.0).then(|| Warning::Welded { distance, share: distance / size })
     }
 }

@@ -60,6 +60,11 @@ impl TensorBoundary {
         &self.sides
     }
 
+    /// The same, to be moved.
+    pub(super) fn sides_mut(&mut self) -> &mut [Vec<Point>; 4] {
+        &mut self.sides
+    }
+
     /// The degrees (m, n).
     #[must_use]
     pub fn degrees(&self) -> (usize, usize) {

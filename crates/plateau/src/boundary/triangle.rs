@@ -41,6 +41,11 @@ impl TriangleBoundary {
         &self.sides
     }
 
+    /// The same, to be moved.
+    pub(super) fn sides_mut(&mut self) -> &mut [Vec<Point>; 3] {
+        &mut self.sides
+    }
+
     /// The degree n.
     #[must_use]
     pub fn degree(&self) -> usize {
