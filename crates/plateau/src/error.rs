@@ -13,6 +13,9 @@ pub enum MethodError {
     /// A complex of patches.
     #[error(transparent)]
     Complex(#[from] surfaces::ComplexError),
+    /// A boundary that cannot be cut into quadrilaterals.
+    #[error(transparent)]
+    Cutting(#[from] crate::CuttingError),
     /// The energy.
     #[error(transparent)]
     Energy(#[from] energy::EnergyError),

@@ -23,6 +23,7 @@
 //!   to it, its [`Figures`], and each [`Warning`] that a reader needs.
 //! - [`ReducedEnergy`] joins energies, systems and searches: a swarm of `optim` over it tunes a GT patch in fifteen lines.
 //! - [`helicoids`] and [`trapezium`] make the helicoids of AHT and AT, [`sample`] samples a curve.
+//! - [`fill()`] goes from loops to the film of least area in them; [`Fill`] from loops or a graph of curves, in every way.
 //! - [`Cutting`] cuts loops and graphs of curves into the quadrilaterals of a [`surfaces::Complex`].
 //! - [`degeneracies`] says what is wrong with a boundary before anything is computed.
 //!
@@ -40,6 +41,7 @@ mod degenerate;
 mod error;
 mod family;
 mod figures;
+mod film;
 mod helicoid;
 mod interior;
 mod keeper;
@@ -72,11 +74,13 @@ pub use degenerate::degeneracies;
 pub use error::MethodError;
 pub use family::Family;
 pub use figures::Figures;
+pub use film::{Fill, FillEnergy, Film, FilmFace, Tried, fill};
 pub use helicoid::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium};
 pub use keeper::Keeper;
 pub use least_area::{
-    AreaEnd, AreaExtremal, Stage, Start, ValleyEnd, least_area, least_area_complex, least_area_from,
-    least_area_raised, least_area_triangle, least_area_triangle_from, least_area_triangle_raised,
+    AreaEnd, AreaExtremal, Stage, Start, ValleyEnd, dirichlet_complex, least_area, least_area_complex,
+    least_area_from, least_area_raised, least_area_triangle, least_area_triangle_from,
+    least_area_triangle_raised,
 };
 pub use lower_bound::{Competitors, LowerBound, NoBound, lower_bound};
 pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};

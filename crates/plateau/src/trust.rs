@@ -37,6 +37,14 @@ pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> V
     warnings
 }
 
+/// The warnings of a surface of several patches.
+pub(crate) fn of_film(extremal: Option<&AreaExtremal>, figures: &Figures, warnings: &mut Vec<Warning>) {
+    if let Some(found) = extremal {
+        of_least_area(found, warnings);
+    }
+    of_figures(figures, warnings);
+}
+
 fn of_search(outcome: &SearchOutcome, search: &Search, warnings: &mut Vec<Warning>) {
     let width = search.upper - search.lower;
     for bound in [search.lower, search.upper] {

@@ -213,6 +213,44 @@ pub enum Warning {
         /// The error believed.
         error: f64,
     },
+    /// Patches that fold.
+    #[error(
+        "the surface folds: in {faces} of {of} patches the normal turns by more than a right angle from one point to the next{}",
+        across(*kink)
+    )]
+    Folded {
+        /// Patches whose normal turns over.
+        faces: usize,
+        /// All patches.
+        of: usize,
+        /// The largest angle between the normals across an edge, in radians.
+        kink: f64,
+    },
+    /// A patch without a normal inside an edge.
+    #[error("no kink is given: a patch is singular inside the edge from {} to {}", ends[0], ends[1])]
+    KinkUndefined {
+        /// The vertices of the edge.
+        ends: [String; 2],
+    },
+    /// Two loops that no annulus of least area joins.
+    #[error(
+        "no annulus of least area: it pinches, thinnest at ({}, {}, {}) with {length:.3e} around",
+        short(at[0]), short(at[1]), short(at[2])
+    )]
+    Pinches {
+        /// Length of the shortest line around it.
+        length: f64,
+        /// The middle of that line.
+        at: [f64; 3],
+    },
+    /// Two loops that are spanned with less area one by one.
+    #[error("the two loops, each spanned by itself, have less area together: {} instead of {}", digits(*discs), digits(*area))]
+    OneByOne {
+        /// The area of both.
+        discs: f64,
+        /// The area of the annulus.
+        area: f64,
+    },
     /// A degenerate boundary.
     #[error(transparent)]
     Degenerate(#[from] Degeneracy),
@@ -245,6 +283,10 @@ impl Warning {
             Self::SpanNearBound { .. } => Some("shorten the interval, or lengthen it: then it is cut"),
             Self::CurveSingular { .. } => Some("leave out these samples"),
             Self::LengthUnsettled { .. } => Some("cut the curve at the cusp"),
+            Self::Folded { .. } => Some("cut the boundary in another way, or raise the degree"),
+            Self::KinkUndefined { .. } => Some("check the boundary: its curves may coincide"),
+            Self::Pinches { .. } => Some("bring the loops nearer together, or span each by itself"),
+            Self::OneByOne { .. } => Some("span each loop by itself if the surface need not hang together"),
         }
     }
 }
@@ -261,6 +303,17 @@ fn best_values(runs: usize, spread: f64) -> String {
 /// A number with all its digits, in the form that is shorter.
 fn digits(x: f64) -> String {
     if (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+}
+
+/// What folds across an edge.
+fn across(kink: f64) -> String {
+    let degrees = kink.to_degrees();
+    if degrees > 90.0 { format!(", and by {degrees:.0}° across an edge") } else { String::new() }
+}
+
+/// A coordinate to four digits.
+fn short(x: f64) -> String {
+    format!("{x:.3e}").parse().map_or_else(|_| x.to_string(), |x: f64| digits(x))
 }
 
 fn first_five(numbers: &[f64]) -> String {

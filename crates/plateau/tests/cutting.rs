@@ -418,6 +418,12 @@ proptest! {
 }
 
 #[test]
+fn too_many_pieces_are_refused() {
+    let refused = cutting(3).loops(&[regular(1500)]);
+    assert!(matches!(refused, Err(CuttingError::TooManyPieces { found: 1500, .. })));
+}
+
+#[test]
 fn angles_are_those_of_corners() {
     // The corner angle decides what is a corner: 24 sides turn by 15°.
     let around = regular(24);

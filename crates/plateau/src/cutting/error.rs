@@ -29,6 +29,17 @@ pub enum CuttingError {
         /// Why.
         error: CurveError,
     },
+    /// More pieces than are offered.
+    #[error(
+        "the curves take {found} Bézier pieces, at most {max} are offered: give fewer and longer ones, a higher degree, or a larger \
+         tolerance"
+    )]
+    TooManyPieces {
+        /// Pieces needed.
+        found: usize,
+        /// Most pieces of a loop, or of all curves of a graph.
+        max: usize,
+    },
     /// The number of loops is neither one nor two.
     #[error(
         "{found} loops: one is spanned by a disc, two by an annulus; surfaces with more loops are given by faces between \

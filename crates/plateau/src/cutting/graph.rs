@@ -6,7 +6,7 @@ use surfaces::{Bezier, BoundaryCurve, Deviation, Point, Vertex, extent};
 
 use super::blueprint::Blueprint;
 use super::polygon::Cut;
-use super::rim::{Rim, is_tame, length, longest, parts};
+use super::rim::{Rim, check_count, is_tame, length, longest, parts};
 use super::{Cutting, CuttingError, Loop, Quads, Way};
 
 /// A curve between two vertices of a graph.
@@ -218,6 +218,7 @@ pub(super) fn cut(graph: &CurveGraph, cutting: &Cutting) -> Result<(Quads, f64),
         }
     }
     let (mut pieces, deviation) = graph.pieces(cutting)?;
+    check_count(pieces.iter().map(Vec::len).sum())?;
     let half = pieces.iter().map(|pieces| pieces.len().div_ceil(2)).max().unwrap_or(1);
     for pieces in &mut pieces {
         while pieces.len() < 2 * half {

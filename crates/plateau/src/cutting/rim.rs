@@ -33,6 +33,7 @@ impl Rim {
                 }
             }
         }
+        check_count(pieces.len())?;
         let start = pieces[0].start();
         if let Some(last) = pieces.last_mut() {
             *last = last.with_ends(last.start(), start);
@@ -129,6 +130,17 @@ impl Rim {
         // A circle has 1/4π = 0.08.
         if area.norm() > 0.002 * length * length { area.unit() } else { None }
     }
+}
+
+/// Most pieces of a loop, or of all curves of a graph: quads are a few times as many, and each has its own system.
+const MOST_PIECES: usize = 1000;
+
+/// That pieces are not too many.
+pub(super) fn check_count(found: usize) -> Result<(), CuttingError> {
+    if found > MOST_PIECES {
+        return Err(CuttingError::TooManyPieces { found, max: MOST_PIECES });
+    }
+    Ok(())
 }
 
 /// Whether a quad may have a corner of this angle: 30° to 150°.

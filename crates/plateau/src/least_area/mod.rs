@@ -126,6 +126,18 @@ pub fn least_area_complex(
     minimise(&Glued::new(complex)?, None, starts, tolerance, progress)
 }
 
+/// The complex with the faces, edges and fixed points of `complex` whose Dirichlet energy ½∫(E + G) is least, every face over
+/// a unit square.
+///
+/// # Errors
+/// [`MethodError::Solve`] if the functions depend on each other to working precision.
+pub fn dirichlet_complex(complex: &Complex, progress: &dyn Progress) -> Result<Complex, MethodError> {
+    let space = Glued::new(complex)?;
+    let (start, _) = space.start();
+    let extremal = Descent::new(&space, 1.0, progress)?.dirichlet(&start, [1.0, 0.0, 1.0])?;
+    space.surface(&extremal)
+}
+
 /// The surface of least area of a space, from `lower` if there is one, else from the start of the space; not above `starts`.
 fn minimise<S: Space>(
     space: &S,

@@ -1,0 +1,300 @@
+//! From loops or a graph of curves to the surface that spans them.
+
+use surfaces::{BoundaryCurve, Complex, extent};
+
+use super::{Film, Tried, degree, pinch};
+use crate::trust::of_film;
+use crate::{
+    AreaEnd, AreaExtremal, CurveGraph, CutBoundary, Cutting, CuttingError, Figures, Loop, MethodError,
+    Progress, Seams, Warning, Way, dirichlet_complex, least_area_complex,
+};
+
+/// What is minimised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FillEnergy {
+    /// The area.
+    Area,
+    /// The Dirichlet energy ½∫(E + G), every patch over a unit square.
+    Dirichlet,
+}
+
+/// How a boundary is filled.
+///
+/// ```
+/// use plateau::{Fill, Loop};
+/// use surfaces::Point;
+/// let corners = [[0., 0., 0.], [1., 0., 0.], [1., 1., 1.], [0., 1., 0.]].map(Point::from);
+/// let film = Fill::default().with_degree(8).loops(&[Loop::polygon(&corners)?], &())?;
+/// // K(¾)/K(¼)
+/// assert!((film.figures.area.value - 1.279_261_571_171_006).abs() < 1e-9);
+/// # Ok::<(), plateau::MethodError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fill {
+    degree: Option<usize>,
+    energy: FillEnergy,
+    tolerance: f64,
+    rim_tolerance: Option<f64>,
+    corner_angle: f64,
+    way: Option<Way>,
+    mesh: usize,
+}
+
+impl Default for Fill {
+    /// The least area in patches of degree 6, or that of the curves where it is higher, to 1e-9 of itself; curves that cannot be
+    /// met exactly to 1e-6 of the size.
+    fn default() -> Self {
+        Self {
+            degree: None,
+            energy: FillEnergy::Area,
+            tolerance: 1e-9,
+            rim_tolerance: None,
+            corner_angle: Cutting::CORNER_ANGLE,
+            way: None,
+            mesh: 16,
+        }
+    }
+}
+
+/// An annulus that did not become stationary is pinching where it is thinner than this share of its thinner rim.
+const PINCHING: f64 = 0.2;
+
+impl Fill {
+    /// Share of the size of the boundary by which its rim may deviate from curves that cannot be met exactly.
+    pub const RIM_TOLERANCE: f64 = 1e-6;
+
+    /// Patches of this degree.
+    #[must_use]
+    pub fn with_degree(mut self, degree: usize) -> Self {
+        self.degree = Some(degree);
+        self
+    }
+
+    /// Minimises this energy.
+    #[must_use]
+    pub fn with_energy(mut self, energy: FillEnergy) -> Self {
+        self.energy = energy;
+        self
+    }
+
+    /// The relative decrease of the area that counts as none, see [`least_area`](crate::least_area).
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// The rim may deviate by this length from curves that cannot be met exactly.
+    #[must_use]
+    pub fn with_rim_tolerance(mut self, tolerance: f64) -> Self {
+        self.rim_tolerance = Some(tolerance);
+        self
+    }
+
+    /// The turn of direction in radians above which a point is a corner.
+    #[must_use]
+    pub fn with_corner_angle(mut self, angle: f64) -> Self {
+        self.corner_angle = angle;
+        self
+    }
+
+    /// Cuts in this way, and tries no other.
+    #[must_use]
+    pub fn with_way(mut self, way: impl Into<Option<Way>>) -> Self {
+        self.way = way.into();
+        self
+    }
+
+    /// The mesh of the film has this many subdivisions of every side of a patch.
+    #[must_use]
+    pub fn with_mesh(mut self, subdivisions: usize) -> Self {
+        self.mesh = subdivisions;
+        self
+    }
+
+    /// The surface between loops: one is spanned by a disc, two by an annulus.
+    ///
+    /// Where the way of cutting was not asked for and leads to a surface that folds, nearly folds or is not stationary, others
+    /// are tried as well, and the best is kept. Each of two loops is spanned by itself, too, and it is said if the two together
+    /// have less area.
+    ///
+    /// # Errors
+    /// [`MethodError::Cutting`] for what no surface can be laid out over, else as [`least_area`](crate::least_area).
+    pub fn loops(&self, loops: &[Loop], progress: &dyn Progress) -> Result<Film, MethodError> {
+        let cutting = self.cutting(loops.iter().flat_map(Loop::curves), |cutting| cutting.loops(loops))?;
+        let (best, tried) = match loops {
+            [one] if self.way.is_none() => self.disc(one, cutting, progress)?,
+            _ => (self.solved(&cutting.loops(loops)?, progress)?, Vec::new()),
+        };
+        let mut one_by_one = None;
+        if let ([first, second], FillEnergy::Area) = (loops, self.energy) {
+            let cutting = cutting.with_way(None);
+            let discs = [first, second].map(|one| self.disc(one, cutting, progress));
+            let [first, second] = discs.map(|disc| disc.map(|(disc, _)| disc.area()));
+            one_by_one = first?.zip(second?).map(|(first, second)| first + second);
+        }
+        self.film(best, tried, one_by_one)
+    }
+
+    /// The surface of the faces of a graph.
+    ///
+    /// # Errors
+    /// As [`Self::loops`].
+    pub fn graph(&self, graph: &CurveGraph, progress: &dyn Progress) -> Result<Film, MethodError> {
+        let curves = graph.curves().iter().map(|curve| &curve.curve);
+        let cutting = self.cutting(curves, |cutting| cutting.graph(graph))?;
+        self.film(self.solved(&cutting.graph(graph)?, progress)?, Vec::new(), None)
+    }
+
+    fn cutting<'a>(
+        &self,
+        curves: impl Iterator<Item = &'a BoundaryCurve> + Clone,
+        cut: impl Fn(&Cutting) -> Result<CutBoundary, CuttingError>,
+    ) -> Result<Cutting, CuttingError> {
+        let points: Vec<_> =
+            curves.clone().flat_map(|curve| (0..8).map(|k| curve.point(f64::from(k) / 8.0))).collect();
+        let tolerance = self.rim_tolerance.unwrap_or_else(|| {
+            // Points in one place have no size; whatever they are, they are met.
+            Some(Self::RIM_TOLERANCE * extent(&points)).filter(|t| *t > 0.0).unwrap_or(f64::MIN_POSITIVE)
+        });
+        let cutting = |degree: usize| {
+            let cutting = Cutting::new(degree, tolerance)?.with_corner_angle(self.corner_angle);
+            Ok(cutting.with_way(self.way))
+        };
+        match self.degree {
+            Some(degree) => cutting(degree),
+            None => degree::raised(cutting, cut, degree::usual(curves)),
+        }
+    }
+
+    pub(super) fn solved(&self, cut: &CutBoundary, progress: &dyn Progress) -> Result<Solution, MethodError> {
+        let (complex, extremal) = match self.energy {
+            FillEnergy::Area => {
+                let (complex, found) = least_area_complex(cut.complex(), &[], self.tolerance, progress)?;
+                (complex, Some(found))
+            }
+            FillEnergy::Dirichlet => (dirichlet_complex(cut.complex(), progress)?, None),
+        };
+        let seams = Seams::of(&complex)?;
+        Ok(Solution { cut: cut.clone(), complex, extremal, seams })
+    }
+
+    fn film(
+        &self,
+        solution: Solution,
+        tried: Vec<Tried>,
+        one_by_one: Option<f64>,
+    ) -> Result<Film, MethodError> {
+        let Solution { cut, complex, extremal, seams, .. } = solution;
+        let mesh = complex.mesh(self.mesh)?;
+        let patches =
+            (0..complex.faces().len()).map(|face| complex.patch(face)).collect::<Result<Vec<_>, _>>()?;
+        let patches: Vec<&dyn surfaces::Patch> = patches.iter().map(|patch| patch as _).collect();
+        let figures = Figures::of_all(&patches, &mesh.mesh)?;
+        let mut film = Film {
+            names: cut.names().to_vec(),
+            way: cut.way(),
+            rim: cut.deviation(),
+            welded: cut.welded(),
+            complex,
+            extremal,
+            figures,
+            seams,
+            one_by_one,
+            tried,
+            mesh,
+            warnings: Vec::new(),
+        };
+        film.warnings = film.warned()?;
+        Ok(film)
+    }
+}
+
+/// The film of least area over loops in patches of a degree: [`Fill`] with everything else as usual.
+///
+/// # Errors
+/// As [`Fill::loops`].
+pub fn fill(loops: &[Loop], degree: usize) -> Result<Film, MethodError> {
+    Fill::default().with_degree(degree).loops(loops, &())
+}
+
+/// A cut boundary with the surface over it.
+pub(super) struct Solution {
+    cut: CutBoundary,
+    complex: Complex,
+    extremal: Option<AreaExtremal>,
+    seams: Seams,
+}
+
+impl Solution {
+    /// The area, where it was minimised.
+    fn area(&self) -> Option<f64> {
+        self.extremal.map(|found| found.area.value)
+    }
+
+    /// Whether there is no reason to cut in another way: stationary, and even to this ratio.
+    pub(super) fn is_sound(&self, ratio: f64) -> bool {
+        self.seams.is_even(ratio) && self.extremal.is_none_or(|found| found.end == AreaEnd::Stationary)
+    }
+
+    /// Whether it is to be preferred: it does not fold where the other does, else has less area, or is more even where no
+    /// area was minimised.
+    pub(super) fn is_better(&self, other: &Self) -> bool {
+        match (self.seams.folds(), other.seams.folds(), self.area(), other.area()) {
+            (false, true, _, _) => true,
+            (true, false, _, _) => false,
+            (_, _, Some(ours), Some(theirs)) => ours < theirs,
+            (_, _, None, _) | (_, _, _, None) => self.seams.jacobian_ratio > other.seams.jacobian_ratio,
+        }
+    }
+
+    pub(super) fn tried(&self) -> Tried {
+        Tried {
+            way: self.cut.way(),
+            area: self.area(),
+            jacobian_ratio: self.seams.jacobian_ratio,
+            folds: self.seams.folds(),
+        }
+    }
+}
+
+impl Film {
+    /// What a reader must know.
+    fn warned(&self) -> Result<Vec<Warning>, MethodError> {
+        let mut warnings = Vec::new();
+        match self.pinches()? {
+            // What else is wrong comes of that.
+            Some(pinches) => warnings.push(pinches),
+            None => {
+                of_film(self.extremal.as_ref(), &self.figures, &mut warnings);
+                self.warn_of_folds(&mut warnings);
+            }
+        }
+        let area = self.figures.area.value;
+        if let Some(discs) = self.one_by_one.filter(|discs| *discs < area) {
+            warnings.push(Warning::OneByOne { discs, area });
+        }
+        Ok(warnings)
+    }
+
+    fn warn_of_folds(&self, warnings: &mut Vec<Warning>) {
+        if self.seams.folds() {
+            let (faces, of) = (self.seams.folded.len(), self.complex.faces().len());
+            warnings.push(Warning::Folded { faces, of, kink: self.seams.kink.map_or(0.0, |kink| kink.max) });
+        }
+        if let Some(edge) = self.seams.singular_edge {
+            let ends = self.edge_name(edge).map(str::to_owned);
+            warnings.push(Warning::KinkUndefined { ends });
+        }
+    }
+
+    /// That an annulus pinches: it is unstable, or was left thin and not stationary.
+    fn pinches(&self) -> Result<Option<Warning>, MethodError> {
+        let (Some(found), Way::Annulus) = (&self.extremal, self.way) else { return Ok(None) };
+        let Some(waist) = pinch::thinnest(&self.complex)? else { return Ok(None) };
+        let is_stuck = found.end != AreaEnd::Stationary && waist.length < PINCHING * waist.rim;
+        let is_unstable = found.second_variation.is_some_and(|smallest| smallest < 0.0);
+        let pinches = Warning::Pinches { length: waist.length, at: waist.middle.into() };
+        Ok((is_stuck || is_unstable).then_some(pinches))
+    }
+}

@@ -1,0 +1,83 @@
+//! Surfaces over loops and graphs of curves.
+
+mod degree;
+mod disc;
+mod fill;
+mod pinch;
+
+use surfaces::{Complex, ComplexMesh, Deviation, Point};
+
+pub use fill::{Fill, FillEnergy, fill};
+
+use crate::{AreaExtremal, Figures, Seams, Warning, Way};
+
+/// A surface of quadrilateral patches over loops or a graph of curves, with its figures.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Film {
+    /// The patches.
+    pub complex: Complex,
+    /// The names of its vertices, see [`CutBoundary::names`](crate::CutBoundary::names).
+    pub names: Vec<String>,
+    /// How the boundary was cut.
+    pub way: Way,
+    /// How far its rim is from the curves that were given, and what that can mean for the area.
+    pub rim: Deviation,
+    /// The largest distance of ends of curves that were made one point.
+    pub welded: f64,
+    /// How the least area was reached, if it was asked for.
+    pub extremal: Option<AreaExtremal>,
+    /// Energies, area and curvature: sums over the patches.
+    pub figures: Figures,
+    /// How the patches meet.
+    pub seams: Seams,
+    /// For two loops and the least area: the area of the two surfaces that span each by itself.
+    pub one_by_one: Option<f64>,
+    /// Other ways of cutting that were tried, with what came of them; none unless the first left something to be desired.
+    pub tried: Vec<Tried>,
+    /// A watertight mesh of all patches.
+    pub mesh: ComplexMesh,
+    /// What a reader must know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A way of cutting that was tried and not kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tried {
+    /// The way.
+    pub way: Way,
+    /// The area it led to, if it was minimised and the start was not singular.
+    pub area: Option<f64>,
+    /// The least over the mean of `|x_u × x_v|`.
+    pub jacobian_ratio: f64,
+    /// Whether some face folds.
+    pub folds: bool,
+}
+
+/// A patch of a film.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmFace<'a> {
+    /// The names of its corners v00, v10, v11, v01.
+    pub vertices: [&'a str; 4],
+    /// Its control points `P_ij`, i with u.
+    pub net: Vec<Vec<Point>>,
+}
+
+impl Film {
+    /// The patches with the names of their corners.
+    pub fn faces(&self) -> impl Iterator<Item = FilmFace<'_>> {
+        let count = self.complex.degree() + 1;
+        self.complex.faces().iter().map(move |face| {
+            let points: Vec<Point> = face.nodes().iter().map(|&k| self.complex.points()[k]).collect();
+            FilmFace {
+                vertices: face.vertices().map(|vertex| self.names[vertex].as_str()),
+                net: points.chunks_exact(count).map(<[Point]>::to_vec).collect(),
+            }
+        })
+    }
+
+    /// The names of the ends of an edge of the complex.
+    pub fn edge_name(&self, edge: usize) -> [&str; 2] {
+        self.complex.edges()[edge].ends().map(|vertex| self.names[vertex].as_str())
+    }
+}
