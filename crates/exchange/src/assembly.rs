@@ -8,6 +8,7 @@ mod corner;
 mod cycle_basis;
 mod error;
 mod face;
+mod frame;
 mod gap;
 mod junction;
 mod loops;
@@ -19,6 +20,7 @@ mod walk;
 mod weld;
 
 pub use error::AssemblyError;
+pub use frame::{Frame, FrameError};
 pub use options::AssemblyOptions;
 pub use side::Side;
 pub use walk::{Form, Walk};

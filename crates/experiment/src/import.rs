@@ -52,6 +52,21 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
     }
 }
 
+/// The experiment over a boundary that is assembled: loops or faces over curves, sampled ones to be met within the tolerance.
+/// `name` is that of the file or `-`.
+///
+/// # Errors
+/// [`ImportError`].
+pub fn import_assembly(
+    assembly: &Assembly,
+    name: &str,
+    options: &ImportOptions,
+    notes: &[&str],
+) -> Result<String, ImportError> {
+    options.check()?;
+    printed::assembly(&title(name), assembly, options, notes)
+}
+
 /// What a file is called without its folder and ending.
 fn title(name: &str) -> String {
     let stem = std::path::Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());

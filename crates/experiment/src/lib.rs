@@ -37,7 +37,7 @@ mod template;
 mod text;
 
 pub use diagnostic::{Diagnostic, Fault, Refusal};
-pub use import::{CornerGap, ImportError, ImportOptions, MAX_IMPORT_SIZE, import};
+pub use import::{CornerGap, ImportError, ImportOptions, MAX_IMPORT_SIZE, import, import_assembly};
 pub use limits::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS};
 pub use plan::{Expected, Experiment, Output, PatchExperiment, Plan, Published, Wanted, stem};
 pub use run::{Finished, Missed, Options, run, run_kept};

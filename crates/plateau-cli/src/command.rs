@@ -115,7 +115,7 @@ pub(crate) struct ImportArguments {
     #[arg(long, conflicts_with = "degree")]
     pub(crate) control_points: bool,
     /// Turn in degrees above which a polyline has a corner
-    #[arg(long, value_name = "DEG", default_value_t = 30.0)]
+    #[arg(long, value_name = "DEG", default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
     pub(crate) corner_angle: f64,
     /// How far curves may pass from samples (a length); by default 1e-4 of the size
     #[arg(long, value_name = "T")]

@@ -3,10 +3,10 @@
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use exchange::{Colours, Format, Subject, SurfaceFile, SurfaceForm};
+use exchange::{Colours, Format, Subject, SurfaceFile, SurfaceForm, Unfit};
 use plateau::{Family, Surface};
 use show::by_mean_curvature;
-use surfaces::Mesh;
+use surfaces::{Complex, Mesh};
 use thiserror::Error;
 
 use crate::Destination;
@@ -69,6 +69,31 @@ pub(crate) fn rehearse(
     encode(format, named, tolerance, Path::new(""), &|fill| fill(&mut io::sink()))
 }
 
+/// Writes a complex, of which `mesh` is a mesh, in one format. For formats that hold the surface by a formula, what they hold.
+///
+/// # Errors
+/// [`ExportError::Refused`] if the format cannot hold the surface; else what the file system says.
+pub fn export_complex(
+    format: Format,
+    name: &str,
+    (complex, mesh): (&Complex, &Mesh),
+    to: &Destination,
+) -> Result<Option<SurfaceForm>, ExportError> {
+    let coloured = by_mean_curvature(mesh);
+    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()) };
+    let file = SurfaceFile::of_complex(format, subject, complex);
+    placed(file, to.path(), &|fill| to.write(fill))
+}
+
+/// Writes a text to its place.
+///
+/// # Errors
+/// What the file system says.
+pub fn write_text(text: &str, to: &Destination) -> Result<(), DeliverError> {
+    to.write(|out| out.write_all(text.as_bytes()))
+        .map_err(|source| DeliverError { path: to.path().to_owned(), source })
+}
+
 type Fill<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
 
 fn encode(
@@ -78,12 +103,23 @@ fn encode(
     path: &Path,
     place: &dyn Fn(Fill<'_>) -> io::Result<()>,
 ) -> Result<Option<SurfaceForm>, ExportError> {
-    let refused = |reason: String| -> ExportError { ExportError::Refused { path: path.to_owned(), reason } };
     let coloured = by_mean_curvature(mesh);
-    let colours = coloured.as_ref().map(|(of_vertices, full)| Colours { of_vertices, full: *full });
-    let subject = Subject { name, mesh, colours };
-    let file = SurfaceFile::new(format, subject, (surface, family), tolerance)
-        .map_err(|unfit| refused(unfit.to_string()))?;
+    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()) };
+    placed(SurfaceFile::new(format, subject, (surface, family), tolerance), path, place)
+}
+
+fn colours(coloured: Option<&(Vec<[u8; 3]>, f64)>) -> Option<Colours<'_>> {
+    coloured.map(|(of_vertices, full)| Colours { of_vertices, full: *full })
+}
+
+/// Writes a file that can be made to its place.
+fn placed(
+    file: Result<SurfaceFile<'_>, Unfit>,
+    path: &Path,
+    place: &dyn Fn(Fill<'_>) -> io::Result<()>,
+) -> Result<Option<SurfaceForm>, ExportError> {
+    let refused = |reason: String| -> ExportError { ExportError::Refused { path: path.to_owned(), reason } };
+    let file = file.map_err(|unfit| refused(unfit.to_string()))?;
     place(&|out| file.write(out)).map_err(|source| match source.kind() {
         // The writers say so of what their format cannot hold.
         ErrorKind::InvalidData => refused(source.to_string()),

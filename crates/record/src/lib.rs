@@ -25,7 +25,7 @@ pub use checkpoint::{CHECKPOINT_FILE, Checkpoint, CheckpointError};
 pub use deliver::{Delivered, deliver, deliver_watched, prepare};
 pub use destination::Destination;
 pub use earlier::{Earlier, earlier};
-pub use export::{DeliverError, ExportError};
+pub use export::{DeliverError, ExportError, export_complex, write_text};
 pub use folder::{folder, folder_key};
 pub use manifest::{Manifest, Origin};
 pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};

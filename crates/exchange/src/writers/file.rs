@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 
 use plateau::{Family, MAX_COORDINATE, Surface};
-use surfaces::Mesh;
+use surfaces::{Complex, Mesh};
 use thiserror::Error;
 
 use super::format::Format;
+use super::shell::ShellFile;
 use super::step::StepFile;
 use super::subject::{Export, Subject, SurfaceForm};
 use super::{glb, obj, ply, stl, vtu};
@@ -19,12 +20,13 @@ pub struct Unfit(pub String);
 /// A surface ready to be written in one format.
 pub struct SurfaceFile<'a> {
     subject: Subject<'a>,
-    content: Content,
+    content: Content<'a>,
 }
 
-enum Content {
+enum Content<'a> {
     Mesh(&'static dyn Export),
     Step(Box<StepFile>),
+    Shell(Box<ShellFile<'a>>),
 }
 
 impl<'a> SurfaceFile<'a> {
@@ -39,22 +41,30 @@ impl<'a> SurfaceFile<'a> {
         (surface, family): (&Surface, Family),
         tolerance: f64,
     ) -> Result<Self, Unfit> {
-        let content = match format {
-            Format::Step => {
+        let content = match export(format) {
+            Some(export) => Content::of_mesh(export, subject.mesh)?,
+            None => {
                 let file =
                     StepFile::new(surface, family, tolerance).map_err(|error| Unfit(error.to_string()))?;
                 Content::Step(Box::new(file))
             }
-            Format::Obj => Content::Mesh(&obj::Obj),
-            Format::Ply => Content::Mesh(&ply::Ply),
-            Format::Stl => Content::Mesh(&stl::Stl),
-            Format::Glb => Content::Mesh(&glb::Glb),
-            Format::Vtu => Content::Mesh(&vtu::Vtu),
         };
-        match (&content, overflow(subject.mesh)) {
-            (Content::Mesh(_), Some(reason)) => Err(Unfit(reason)),
-            (Content::Mesh(_), None) | (Content::Step(_), _) => Ok(Self { subject, content }),
-        }
+        Ok(Self { subject, content })
+    }
+
+    /// The file of a complex, of which the subject has a mesh; STEP holds it exactly, its faces sewn by their edges.
+    ///
+    /// # Errors
+    /// [`Unfit`] if the format cannot hold it.
+    pub fn of_complex(format: Format, subject: Subject<'a>, complex: &'a Complex) -> Result<Self, Unfit> {
+        let content = match export(format) {
+            Some(export) => Content::of_mesh(export, subject.mesh)?,
+            None => {
+                let file = ShellFile::new(complex).map_err(|error| Unfit(error.to_string()))?;
+                Content::Shell(Box::new(file))
+            }
+        };
+        Ok(Self { subject, content })
     }
 
     /// How the file holds the surface, where that takes saying.
@@ -64,6 +74,7 @@ impl<'a> SurfaceFile<'a> {
             Content::Step(file) => {
                 Some(SurfaceForm { deviation: file.deviation(), description: file.description() })
             }
+            Content::Shell(file) => Some(SurfaceForm { deviation: None, description: file.description() }),
         }
     }
 
@@ -76,7 +87,26 @@ impl<'a> SurfaceFile<'a> {
         match &self.content {
             Content::Mesh(format) => format.write(&self.subject, out),
             Content::Step(file) => file.write(self.subject.name, out),
+            Content::Shell(file) => file.write(self.subject.name, out),
         }
+    }
+}
+
+/// The writer of meshes in a format; none for STEP, which has no mesh.
+fn export(format: Format) -> Option<&'static dyn Export> {
+    match format {
+        Format::Obj => Some(&obj::Obj),
+        Format::Ply => Some(&ply::Ply),
+        Format::Stl => Some(&stl::Stl),
+        Format::Glb => Some(&glb::Glb),
+        Format::Vtu => Some(&vtu::Vtu),
+        Format::Step => None,
+    }
+}
+
+impl Content<'_> {
+    fn of_mesh(export: &'static dyn Export, mesh: &Mesh) -> Result<Self, Unfit> {
+        overflow(mesh).map_or(Ok(Self::Mesh(export)), |reason| Err(Unfit(reason)))
     }
 }
 

@@ -36,6 +36,16 @@ impl Format {
             Self::Step => "step",
         }
     }
+
+    /// The format of files with a given extension, in letters of either kind: its name, or `stp`.
+    #[must_use]
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        let extension = extension.to_ascii_lowercase();
+        if extension == "stp" {
+            return Some(Self::Step);
+        }
+        Self::ALL.into_iter().find(|format| format.name() == extension)
+    }
 }
 
 impl fmt::Display for Format {

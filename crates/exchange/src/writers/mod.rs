@@ -9,6 +9,7 @@ mod glb;
 mod name;
 mod obj;
 mod ply;
+mod shell;
 mod single;
 mod spline;
 mod step;

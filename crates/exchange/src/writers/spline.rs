@@ -15,7 +15,7 @@ use thiserror::Error;
 use plateau::{Family, Surface};
 
 /// Largest degree OpenCASCADE, and with it FreeCAD, takes.
-const LARGEST_DEGREE: usize = 25;
+pub(super) const LARGEST_DEGREE: usize = 25;
 
 /// Most control points of a fit.
 const LARGEST_NET: usize = 300_000;
@@ -181,7 +181,7 @@ impl Spline {
 
 impl Knots {
     /// The Bernstein polynomials on [0, 1].
-    fn bernstein(degree: usize) -> Self {
+    pub(super) fn bernstein(degree: usize) -> Self {
         Self { degree, values: vec![0.0, 1.0], multiplicities: vec![degree + 1; 2] }
     }
 

@@ -7,14 +7,14 @@ use std::io::{self, Write};
 use surfaces::Point;
 use thiserror::Error;
 
-use super::spline::{Accuracy, Knots, Spline, SplineError};
+use super::spline::{Accuracy, Knots, LARGEST_DEGREE, Spline, SplineError};
 use plateau::{Family, Surface};
 
 /// Share of the size below which points of the border are one point and curves of it one curve.
 const SAME: f64 = 1e-10;
 
 /// Smallest distance CAD programs tell apart, in the unit of the file.
-const SMALLEST_TOLERANCE: f64 = 1e-7;
+pub(super) const SMALLEST_TOLERANCE: f64 = 1e-7;
 
 /// Lengths from which on CAD programs take a coordinate for infinite.
 const INFINITE: f64 = 1e99;
@@ -43,6 +43,14 @@ pub(crate) enum StepError {
         /// The largest coordinate of a control point.
         largest: f64,
     },
+    /// Polynomials of high degree are refused by the programs that read the file.
+    #[error(
+        "its patches have degree {degree}, and OpenCASCADE reads degrees up to {LARGEST_DEGREE}: lower the degree, or write a mesh (glb, ply)"
+    )]
+    Degree {
+        /// Degree of the patches.
+        degree: usize,
+    },
 }
 
 /// A surface as it goes into the file.
@@ -69,16 +77,8 @@ impl StepFile {
     /// [`StepError`] if there is no such spline, or none that CAD programs can read.
     pub(crate) fn new(surface: &Surface, family: Family, tolerance: f64) -> Result<Self, StepError> {
         let (spline, accuracy) = Spline::of(surface, family, tolerance)?;
-        let coordinates = || spline.points.iter().flat_map(|p| [p.x, p.y, p.z]);
-        if !coordinates().all(|x| x.abs() <= INFINITE) {
-            let largest = coordinates().fold(0.0, |m: f64, x| m.max(x.abs()));
-            return Err(StepError::TooLarge { largest });
-        }
-        let size = super::extent::diagonal(spline.points.iter().map(|p| [p.x, p.y, p.z]));
+        let size = checked_size(&spline.points)?;
         let file = Self { spline, accuracy, size };
-        if size < 2.0 * SMALLEST_TOLERANCE {
-            return Err(StepError::TooSmall { part: "it", length: size });
-        }
         let names = ["its side v = start", "its side u = end", "its side v = end", "its side u = start"];
         for (side, part) in file.sides().iter().zip(names) {
             let length = super::extent::diagonal(side.points.iter().map(|p| [p.x, p.y, p.z]));
@@ -120,46 +120,16 @@ impl StepFile {
 
     /// Writes the whole file.
     pub(crate) fn write(&self, name: &str, out: &mut dyn Write) -> io::Result<()> {
-        let (title, version) = (text(name), concat!("plateau ", env!("CARGO_PKG_VERSION")));
-        writeln!(out, "ISO-10303-21;\nHEADER;")?;
-        writeln!(out, "FILE_DESCRIPTION(({title},{}),'2;1');", text(&self.description()))?;
-        writeln!(out, "FILE_NAME({title},'',(''),(''),'{version}','{version}','');")?;
-        writeln!(out, "FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\nENDSEC;\nDATA;")?;
-        let mut entities = Entities { out, count: 0 };
-        let context = self.context(&mut entities)?;
-        let shape = product(&title, &mut entities)?;
-        let face = self.face(&title, &mut entities)?;
-        let shell = entities.add(format_args!("OPEN_SHELL('',(#{face}))"))?;
-        let model = entities.add(format_args!("SHELL_BASED_SURFACE_MODEL('',(#{shell}))"))?;
-        let origin = entities.point(Point::ZERO)?;
-        let axes = entities.add(format_args!("AXIS2_PLACEMENT_3D('',#{origin},$,$)"))?;
-        let model = entities.add(format_args!(
-            "MANIFOLD_SURFACE_SHAPE_REPRESENTATION({title},(#{axes},#{model}),#{context})"
-        ))?;
-        entities.add(format_args!("SHAPE_DEFINITION_REPRESENTATION(#{shape},#{model})"))?;
-        writeln!(out, "ENDSEC;\nEND-ISO-10303-21;")
-    }
-
-    /// Units and the accuracy of the geometry.
-    fn context(&self, entities: &mut Entities<'_>) -> io::Result<usize> {
-        let length = entities.add(format_args!("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))"))?;
-        let angle = entities.add(format_args!("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))"))?;
-        let solid = entities.add(format_args!("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())"))?;
-        let accuracy = real(SMALLEST_TOLERANCE.max(SAME * self.size));
-        let accuracy = entities.add(format_args!(
-            "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({accuracy}),#{length},'distance_accuracy_value',\
-             'points closer than this are one')"
-        ))?;
-        entities.add(format_args!(
-            "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#{accuracy}))\
-             GLOBAL_UNIT_ASSIGNED_CONTEXT((#{length},#{angle},#{solid}))REPRESENTATION_CONTEXT('',''))"
-        ))
+        document(name, &self.description(), self.size, out, |title, entities| {
+            let face = self.face(title, entities)?;
+            Ok(vec![entities.add(format_args!("OPEN_SHELL('',(#{face}))"))?])
+        })
     }
 
     /// The surface, bounded by the four curves of its border. Sides that are one point have no edge; opposite sides that
     /// coincide are one edge, run through twice.
     fn face(&self, title: &str, entities: &mut Entities<'_>) -> io::Result<usize> {
-        let surface = self.surface(entities)?;
+        let surface = surface(&self.spline.points, &self.spline.knots, entities)?;
         let corners = self.corners();
         let mut vertices: Vec<(Point, usize)> = Vec::new();
         let mut edges: Vec<(Vec<Point>, usize)> = Vec::new();
@@ -202,24 +172,6 @@ impl StepFile {
         entities.add(format_args!("ADVANCED_FACE({title},(#{border}),#{surface},.T.)"))
     }
 
-    fn surface(&self, entities: &mut Entities<'_>) -> io::Result<usize> {
-        let ids: Vec<usize> =
-            self.spline.points.iter().map(|&p| entities.point(p)).collect::<io::Result<_>>()?;
-        let rows: Vec<String> =
-            ids.chunks(self.spline.cols()).map(|row| format!("({})", references(row))).collect();
-        let [u, v] = &self.spline.knots;
-        entities.add(format_args!(
-            "B_SPLINE_SURFACE_WITH_KNOTS('',{},{},({}),.UNSPECIFIED.,.F.,.F.,.F.,({}),({}),({}),({}),.UNSPECIFIED.)",
-            u.degree,
-            v.degree,
-            rows.join(",\n"),
-            list(&u.multiplicities, usize::to_string),
-            list(&v.multiplicities, usize::to_string),
-            list(&u.values, |x| real(*x)),
-            list(&v.values, |x| real(*x)),
-        ))
-    }
-
     /// (u, v) at (start, start), (end, start), (end, end), (start, end).
     fn corners(&self) -> [Point; 4] {
         let (points, cols) = (&self.spline.points, self.spline.cols());
@@ -244,6 +196,62 @@ impl StepFile {
     }
 }
 
+/// Checks the control points of a surface. Gives its size.
+pub(super) fn checked_size(points: &[Point]) -> Result<f64, StepError> {
+    let coordinates = || points.iter().flat_map(|p| [p.x, p.y, p.z]);
+    if !coordinates().all(|x| x.abs() <= INFINITE) {
+        let largest = coordinates().fold(0.0, |m: f64, x| m.max(x.abs()));
+        return Err(StepError::TooLarge { largest });
+    }
+    let size = super::extent::diagonal(points.iter().map(|p| [p.x, p.y, p.z]));
+    if size < 2.0 * SMALLEST_TOLERANCE {
+        return Err(StepError::TooSmall { part: "it", length: size });
+    }
+    Ok(size)
+}
+
+/// A whole file around shells: `shells` writes them, given the name as a string of the file, and gives their numbers.
+pub(super) fn document(
+    name: &str,
+    description: &str,
+    size: f64,
+    out: &mut dyn Write,
+    shells: impl FnOnce(&str, &mut Entities<'_>) -> io::Result<Vec<usize>>,
+) -> io::Result<()> {
+    let (title, version) = (text(name), concat!("plateau ", env!("CARGO_PKG_VERSION")));
+    writeln!(out, "ISO-10303-21;\nHEADER;")?;
+    writeln!(out, "FILE_DESCRIPTION(({title},{}),'2;1');", text(description))?;
+    writeln!(out, "FILE_NAME({title},'',(''),(''),'{version}','{version}','');")?;
+    writeln!(out, "FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\nENDSEC;\nDATA;")?;
+    let mut entities = Entities { out, count: 0 };
+    let context = context(size, &mut entities)?;
+    let shape = product(&title, &mut entities)?;
+    let shells = references(&shells(&title, &mut entities)?);
+    let model = entities.add(format_args!("SHELL_BASED_SURFACE_MODEL('',({shells}))"))?;
+    let origin = entities.point(Point::ZERO)?;
+    let axes = entities.add(format_args!("AXIS2_PLACEMENT_3D('',#{origin},$,$)"))?;
+    let model = entities
+        .add(format_args!("MANIFOLD_SURFACE_SHAPE_REPRESENTATION({title},(#{axes},#{model}),#{context})"))?;
+    entities.add(format_args!("SHAPE_DEFINITION_REPRESENTATION(#{shape},#{model})"))?;
+    writeln!(out, "ENDSEC;\nEND-ISO-10303-21;")
+}
+
+/// Units and the accuracy of the geometry.
+fn context(size: f64, entities: &mut Entities<'_>) -> io::Result<usize> {
+    let length = entities.add(format_args!("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))"))?;
+    let angle = entities.add(format_args!("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))"))?;
+    let solid = entities.add(format_args!("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())"))?;
+    let accuracy = real(SMALLEST_TOLERANCE.max(SAME * size));
+    let accuracy = entities.add(format_args!(
+        "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({accuracy}),#{length},'distance_accuracy_value',\
+         'points closer than this are one')"
+    ))?;
+    entities.add(format_args!(
+        "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#{accuracy}))\
+         GLOBAL_UNIT_ASSIGNED_CONTEXT((#{length},#{angle},#{solid}))REPRESENTATION_CONTEXT('',''))"
+    ))
+}
+
 /// The administration around a shape.
 fn product(title: &str, entities: &mut Entities<'_>) -> io::Result<usize> {
     let application = entities
@@ -261,7 +269,7 @@ fn product(title: &str, entities: &mut Entities<'_>) -> io::Result<usize> {
     entities.add(format_args!("PRODUCT_DEFINITION_SHAPE('','',#{definition})"))
 }
 
-fn curve(points: &[Point], knots: &Knots, entities: &mut Entities<'_>) -> io::Result<usize> {
+pub(super) fn curve(points: &[Point], knots: &Knots, entities: &mut Entities<'_>) -> io::Result<usize> {
     let ids: Vec<usize> = points.iter().map(|&p| entities.point(p)).collect::<io::Result<_>>()?;
     entities.add(format_args!(
         "B_SPLINE_CURVE_WITH_KNOTS('',{},({}),.UNSPECIFIED.,.F.,.F.,({}),({}),.UNSPECIFIED.)",
@@ -272,26 +280,46 @@ fn curve(points: &[Point], knots: &Knots, entities: &mut Entities<'_>) -> io::Re
     ))
 }
 
+/// A surface by its net, row by row with u, and its knots in u and v.
+pub(super) fn surface(
+    points: &[Point],
+    [u, v]: &[Knots; 2],
+    entities: &mut Entities<'_>,
+) -> io::Result<usize> {
+    let ids: Vec<usize> = points.iter().map(|&p| entities.point(p)).collect::<io::Result<_>>()?;
+    let rows: Vec<String> = ids.chunks(v.count()).map(|row| format!("({})", references(row))).collect();
+    entities.add(format_args!(
+        "B_SPLINE_SURFACE_WITH_KNOTS('',{},{},({}),.UNSPECIFIED.,.F.,.F.,.F.,({}),({}),({}),({}),.UNSPECIFIED.)",
+        u.degree,
+        v.degree,
+        rows.join(",\n"),
+        list(&u.multiplicities, usize::to_string),
+        list(&v.multiplicities, usize::to_string),
+        list(&u.values, |x| real(*x)),
+        list(&v.values, |x| real(*x)),
+    ))
+}
+
 /// The entities written so far.
-struct Entities<'a> {
+pub(super) struct Entities<'a> {
     out: &'a mut dyn Write,
     count: usize,
 }
 
 impl Entities<'_> {
     /// Writes an entity; its number.
-    fn add(&mut self, entity: std::fmt::Arguments<'_>) -> io::Result<usize> {
+    pub(super) fn add(&mut self, entity: std::fmt::Arguments<'_>) -> io::Result<usize> {
         self.count += 1;
         writeln!(self.out, "#{}={entity};", self.count)?;
         Ok(self.count)
     }
 
-    fn point(&mut self, p: Point) -> io::Result<usize> {
+    pub(super) fn point(&mut self, p: Point) -> io::Result<usize> {
         self.add(format_args!("CARTESIAN_POINT('',({},{},{}))", real(p.x), real(p.y), real(p.z)))
     }
 }
 
-fn references(ids: &[usize]) -> String {
+pub(super) fn references(ids: &[usize]) -> String {
     list(ids, |id| format!("#{id}"))
 }
 

@@ -20,7 +20,11 @@ impl ImportOptions {
     /// Share of the size (the diagonal of the box around all curves) by which curves may pass from samples.
     pub const TOLERANCE: f64 = 1e-4;
 
-    pub(super) fn check(&self) -> Result<(), ImportError> {
+    /// Whether the numbers are ones that may be given.
+    ///
+    /// # Errors
+    /// [`ImportError::Option`].
+    pub fn check(&self) -> Result<(), ImportError> {
         if self.degree.is_some() && self.control_points {
             let why = "--degree says that the points are on the curves, --control-points that they are not: give one of them";
             return Err(ImportError::Option(why.into()));

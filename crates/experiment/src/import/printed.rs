@@ -36,7 +36,7 @@ pub(super) fn assembly(
     for side in &assembly.sides {
         let _ = write!(text, "\n[[curve]]\nname = {}\n", quoted(&side.name));
         if let Some(ends) = side.ends {
-            let [from, to] = ends.map(|vertex| quoted(&vertex_name(vertex)));
+            let [from, to] = ends.map(|vertex| quoted(&assembly.vertex_name(vertex)));
             let _ = writeln!(text, "ends = [{from}, {to}]");
         }
         let _ = writeln!(text, "{}", curve(side, tolerance));
@@ -45,7 +45,7 @@ pub(super) fn assembly(
         for walks in faces {
             let corners = walks.iter().filter_map(|walk| {
                 let ends = assembly.sides[walk.side].ends?;
-                Some(quoted(&vertex_name(ends[usize::from(!walk.forward)])))
+                Some(quoted(&assembly.vertex_name(ends[usize::from(!walk.forward)])))
             });
             let _ = write!(text, "\n[[face]]\nvertices = [{}]\n", corners.collect::<Vec<_>>().join(", "));
         }
@@ -62,10 +62,6 @@ fn names(assembly: &Assembly, walks: &[Walk]) -> String {
         quoted(&format!("{}{}", if walk.forward { "" } else { "-" }, assembly.sides[walk.side].name))
     };
     format!("[{}]", walks.iter().map(name).collect::<Vec<_>>().join(", "))
-}
-
-fn vertex_name(vertex: usize) -> String {
-    format!("p{}", vertex + 1)
 }
 
 /// The line of a curve that says what it is.

@@ -18,7 +18,8 @@ pub struct Loop {
 }
 
 impl Loop {
-    /// Share of the size of a loop below which ends of curves are one point unless more is asked for.
+    /// Share of the size of a loop below which ends of curves are one point unless more is asked for: what the last digits of
+    /// numbers given one by one explain.
     pub const WELD: f64 = 1e-6;
 
     /// The loop of `curves`, in order and sense; one closed curve is a loop, too. Ends at most `weld` (a length) apart are
