@@ -10,8 +10,8 @@ use crate::MethodError;
 /// How smoothly the patches of a complex meet, and how evenly each is run through.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seams {
-    /// The angles between the normals across the edges of two faces. None if there is no such edge, or a patch is singular
-    /// inside one.
+    /// The angles between the normals across the free edges of two faces, where a smooth surface has none; on a wire it may
+    /// have any. None if there is no such edge, or a patch is singular inside one.
     pub kink: Option<Kink>,
     /// An edge inside which a patch has no normal, so that no kink is given.
     pub singular_edge: Option<usize>,
@@ -66,7 +66,7 @@ impl Seams {
 fn kink(complex: &Complex, patches: &[TensorPatch], rule: &GaussLegendre) -> (Option<Kink>, Option<usize>) {
     let (mut worst, mut squares, mut length): (Option<Kink>, f64, f64) = (None, 0.0, 0.0);
     for (number, edge) in complex.edges().iter().enumerate() {
-        let [a, b] = edge.uses() else { continue };
+        let ([a, b], false) = (edge.uses(), edge.is_fixed()) else { continue };
         let curve = complex.edge_curve(number);
         for (t, weight) in rule.iter().chain([(0.0, 0.0), (1.0, 0.0)]) {
             let Some(angle) = angle(patches, [a, b], t) else {

@@ -187,6 +187,25 @@ fn films_in_a_cube() {
     assert_area("cube", &film, 4.239_563_1, 1e-7);
 }
 
+/// Two squares at a right angle on a common wire: no kink is counted there; without the wire the edge between them goes.
+#[test]
+fn a_wire_may_bend_the_surface() {
+    let corners =
+        [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [0., 0., 1.], [0., 1., 1.]].map(Point::from);
+    let film = |wire: bool| {
+        let vertices =
+            corners.iter().enumerate().map(|(k, &c)| (format!("v{k}"), Vertex::Fixed(c))).collect();
+        let rim = [[0, 1], [1, 2], [2, 3], [3, 5], [5, 4], [4, 0]];
+        let curves = rim.into_iter().chain(wire.then_some([0, 3])).map(|ends| line(ends, &corners)).collect();
+        let graph = CurveGraph::new(vertices, curves, &[vec![0, 1, 2, 3], vec![0, 3, 5, 4]], None).unwrap();
+        exactly(4).graph(&graph, &()).unwrap()
+    };
+    let (held, free) = (film(true), film(false));
+    assert_area("two squares", &held, 2.0, 1e-14);
+    assert!(held.seams.kink.unwrap().max < 1e-12 && !held.seams.folds());
+    assert!(free.figures.area.value < 1.9 && free.seams.kink.unwrap().max < 0.1, "{:?}", free.seams);
+}
+
 #[test]
 fn a_flat_loop_that_looks_in_is_cut_so_that_nothing_folds() {
     let corners = [[0., 0., 0.], [2., 0., 0.], [2., 1., 0.], [1., 1., 0.], [1., 2., 0.], [0., 2., 0.]];
