@@ -50,6 +50,8 @@ pub(crate) enum Command {
     },
     /// Write the surfaces of a result.json as files for other programs
     Export(ExportArguments),
+    /// Fill the curves of files with the surface of least area, and write it
+    Fill(FillArguments),
     /// Print an experiment over a boundary from a file of curves
     Import(ImportArguments),
     /// Print a commented experiment file to begin with
@@ -123,6 +125,32 @@ pub(crate) struct ImportArguments {
     /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
     #[arg(long, value_name = "T")]
     pub(crate) weld: Option<f64>,
+}
+
+/// What `fill` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct FillArguments {
+    /// Files of curves: OBJ lines or curves, a table of points (CSV), STEP, ASCII DXF; - for stdin
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu; toml for the experiment. May be given several times
+    #[arg(long, short, value_name = "OUT")]
+    pub(crate) out: Vec<PathBuf>,
+    /// Degree of the patches; by default 6, or that of the curves where it is higher
+    #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
+    pub(crate) degree: Option<u16>,
+    /// Turn in degrees above which a point is a corner
+    #[arg(long, value_name = "DEG", default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
+    pub(crate) corner_angle: f64,
+    /// How far the rim may pass from samples (a length); by default 1e-4 of the size
+    #[arg(long, value_name = "T")]
+    pub(crate) tolerance: Option<f64>,
+    /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
+    #[arg(long, value_name = "T")]
+    pub(crate) weld: Option<f64>,
+    /// Subdivisions of each side of a patch in meshes
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(1..=100))]
+    pub(crate) mesh: u16,
 }
 
 /// What `verify` takes.

@@ -86,7 +86,7 @@ pub(crate) fn import(arguments: &ImportArguments, stdout: &mut impl Write) -> Re
 }
 
 /// The bytes of a file, or of stdin for `-`; no more than are read and one.
-fn contents(file: &Path) -> io::Result<Vec<u8>> {
+pub(crate) fn contents(file: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let from: &mut dyn Read =
         if file == Path::new("-") { &mut io::stdin().lock() } else { &mut File::open(file)? };

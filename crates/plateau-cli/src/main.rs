@@ -11,6 +11,7 @@ mod bars;
 mod batch;
 mod command;
 mod conversion;
+mod fill;
 mod interrupt;
 mod outlet;
 mod verify;
@@ -39,6 +40,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Check { files } => command::check(&files, stdout),
         Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
         Command::Verify(arguments) => verify::results(&arguments, stdout),
+        Command::Fill(arguments) => fill::fill(&arguments, stdout),
         Command::Import(arguments) => conversion::import(&arguments, stdout),
         Command::Export(arguments) => conversion::export(&arguments, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),

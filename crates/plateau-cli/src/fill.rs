@@ -1,0 +1,223 @@
+//! `fill`: curves of files in, the surface of least area over them out.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, read_curves};
+use experiment::{ImportError, ImportOptions};
+use plateau::{AreaEnd, Fill, Film, MethodError, Way};
+use record::{Destination, ExportError};
+
+use crate::command::{Failure, FillArguments, line, say};
+use crate::conversion::contents;
+
+/// What is written at the end.
+enum Wanted {
+    Surface(Format),
+    Experiment,
+}
+
+/// Fills, prints the figures, writes the files; one that is refused keeps none of the others back.
+pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result<(), Failure> {
+    let outputs = arguments.out.iter().map(|path| output(path, &arguments.files));
+    let outputs = outputs.collect::<Result<Vec<_>, Failure>>()?;
+    let options = ImportOptions {
+        degree: arguments.degree.map(usize::from),
+        control_points: false,
+        tolerance: arguments.tolerance,
+        assembly: AssemblyOptions { weld: arguments.weld, corner_angle: arguments.corner_angle },
+    };
+    let name = names(&arguments.files);
+    let refuse = |error: &dyn std::fmt::Display| {
+        say(&format!("error: {name}: {error}"));
+        Failure::Input
+    };
+    let file = curves(&arguments.files)?;
+    options.check().map_err(|error| refuse(&error))?;
+    let assembly = Assembly::new(&file, &options.assembly).map_err(|error| refuse(&error))?;
+    let notes: Vec<&str> = file.notes.iter().chain(&assembly.notes).map(String::as_str).collect();
+    notes.iter().for_each(|note| say(&format!("note: {note}")));
+    let tolerance = options.tolerance.unwrap_or(ImportOptions::TOLERANCE * assembly.size);
+    let frame = assembly.frame(tolerance).map_err(|error| refuse(&error))?;
+    let film = spanned(&frame, arguments).map_err(|error| match error {
+        MethodError::Cutting(error) => refuse(&error),
+        error => {
+            say(&format!("error: {name}: {error}"));
+            Failure::Result
+        }
+    })?;
+    figures(&film, &assembly, stdout)?;
+    stdout.flush()?;
+    let title = title(&arguments.files[0]);
+    let mut sound = true;
+    for (wanted, to) in &outputs {
+        let written = match wanted {
+            Wanted::Surface(format) => {
+                record::export_complex(*format, &title, (&film.complex, &film.mesh.mesh), to)
+                    .map(|form| form.map(|form| form.description))
+            }
+            Wanted::Experiment => {
+                let text = experiment::import_assembly(&assembly, &title, &options, &notes)
+                    .map_err(|error| refuse(&error))?;
+                record::write_text(&text, to).map(|()| None).map_err(ExportError::from)
+            }
+        };
+        match written {
+            Ok(Some(form)) => say(&format!("{}: {form}", to.path().display())),
+            Ok(None) => say(&to.path().display().to_string()),
+            Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
+                say(&format!("error: {error}"));
+                sound = false;
+            }
+        }
+    }
+    if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// A file to write: what its extension asks for, and its place, which is none of the files that are read.
+fn output(path: &Path, inputs: &[PathBuf]) -> Result<(Wanted, Destination), Failure> {
+    let refuse = |why: String| {
+        say(&format!("error: {}: {why}", path.display()));
+        Failure::Input
+    };
+    let extension =
+        path.extension().map(|end| end.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    let wanted = match Format::of_extension(&extension) {
+        Some(format) => Wanted::Surface(format),
+        None if extension == "toml" => Wanted::Experiment,
+        None => {
+            let known: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+            let known = known.join(", ");
+            return Err(refuse(format!(
+                "files are written by their extension: {known}, stp for a surface, toml for the experiment"
+            )));
+        }
+    };
+    let to = Destination::named(path).map_err(|error| refuse(format!("cannot be written: {error}")))?;
+    match inputs.iter().find(|input| to.replaces(input)) {
+        Some(_) => Err(refuse("is a file that is read, and would be replaced: give -o another name".into())),
+        None => Ok((wanted, to)),
+    }
+}
+
+/// The curves of all files together.
+fn curves(files: &[PathBuf]) -> Result<CurveFile, Failure> {
+    let mut all: Option<CurveFile> = None;
+    for path in files {
+        let read = contents(path).map_err(ImportError::from);
+        let read = read.and_then(|bytes| Ok(read_curves(&bytes, &path.to_string_lossy())?));
+        let file = read.map_err(|error| {
+            say(&format!("error: {}: {error}", path.display()));
+            Failure::Input
+        })?;
+        match &mut all {
+            None => all = Some(file),
+            Some(all) => {
+                all.curves.extend(file.curves);
+                all.notes.extend(file.notes);
+            }
+        }
+    }
+    // The command line wants a file.
+    all.ok_or(Failure::Input)
+}
+
+fn spanned(frame: &Frame, arguments: &FillArguments) -> Result<Film, MethodError> {
+    let mut fill = Fill::default()
+        .with_corner_angle(arguments.corner_angle.to_radians())
+        .with_mesh(arguments.mesh.into());
+    if let Some(degree) = arguments.degree {
+        fill = fill.with_degree(degree.into());
+    }
+    if let Some(tolerance) = arguments.tolerance {
+        fill = fill.with_rim_tolerance(tolerance);
+    }
+    match frame {
+        Frame::Loops(loops) => fill.loops(loops, &()),
+        Frame::Graph(graph) => fill.graph(graph, &()),
+    }
+}
+
+/// The figures of a film, one a line.
+fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<(), Failure> {
+    let mut row = |name: &str, value: String| line(stdout, &format!("{name:<16}{value}"));
+    let area = film.figures.area;
+    row("area", format!("{} ± {:.1e}", digits(area.value), area.error))?;
+    if let Some(discs) = film.one_by_one {
+        row("one by one", format!("{} with each loop spanned by itself", digits(discs)))?;
+    }
+    let (faces, degree) = (film.complex.faces().len(), film.complex.degree());
+    row("faces", format!("{faces} of degree {degree}: {}", way(film.way)))?;
+    if let Some(kink) = film.seams.kink {
+        let degrees = |angle: f64| short(angle.to_degrees());
+        row("kink", format!("at most {}°, root mean square {}°", degrees(kink.max), degrees(kink.rms)))?;
+    }
+    row("Jacobian ratio", format!("{:.2}", film.seams.jacobian_ratio))?;
+    if film.rim.largest > 0.0 {
+        let (largest, area) = (film.rim.largest, film.rim.area);
+        row("rim", format!("within {largest:.1e} of the curves, which can change the area by {area:.1e}"))?;
+    } else {
+        row("rim", "exact".into())?;
+    }
+    let weld = assembly.weld;
+    if weld.count > 0 {
+        row("welded", format!("{}, moved by at most {:.1e}", counted(weld.count, "end"), weld.largest))?;
+    }
+    if let Some(found) = &film.extremal
+        && found.end != AreaEnd::Stationary
+    {
+        row("end", found.end.to_string())?;
+    }
+    for warning in &film.warnings {
+        row("warning", warning.to_string())?;
+    }
+    Ok(())
+}
+
+/// How a boundary was cut, in words.
+fn way(way: Way) -> &'static str {
+    match way {
+        Way::Grid => "a grid over four sides",
+        Way::Midpoint => "a quadrilateral at every corner, around the middle",
+        Way::Ring => "a ring along the rim, and its inside",
+        Way::TurnedRing => "a ring along the rim, and its inside turned by half a side",
+        Way::Annulus => "a band between the loops",
+        Way::Faces => "each face of the graph by itself",
+        Way::Parts => "four-sided parts, each by itself",
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
+}
+
+/// Two digits.
+fn short(x: f64) -> String {
+    if x < 1e-2 {
+        format!("{x:.1e}")
+    } else {
+        format!("{:.*}", usize::from(x < 10.0) + usize::from(x < 1.0), x)
+    }
+}
+
+/// Twelve significant digits.
+fn digits(x: f64) -> String {
+    let exponent = exponent(x);
+    let decimals = usize::try_from(11 - exponent).unwrap_or(0);
+    if (-5..12).contains(&exponent) { format!("{x:.decimals$}") } else { format!("{x:.11e}") }
+}
+
+/// The power of ten of the first digit.
+fn exponent(x: f64) -> i32 {
+    format!("{x:e}").rsplit_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+fn names(files: &[PathBuf]) -> String {
+    files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>().join(", ")
+}
+
+/// What a file is called without its folder and ending.
+fn title(file: &Path) -> String {
+    let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    stem.filter(|stem| stem != "-").unwrap_or_else(|| "surface".into())
+}

@@ -1,0 +1,119 @@
+//! `plateau fill`: curves in, figures and files out.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn fill(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_plateau"))
+        .arg("fill")
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The number after the name of a figure.
+fn area(out: &Output) -> f64 {
+    let text = text(&out.stdout);
+    assert!(out.status.success(), "{text}{}", String::from_utf8_lossy(&out.stderr));
+    text.lines()
+        .find_map(|line| line.strip_prefix("area "))
+        .unwrap()
+        .split_whitespace()
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap()
+}
+
+/// K(3/4)/K(1/4), the least area over the skew quadrilateral of four edges of a cube.
+const SKEW: f64 = 1.279_261_571_171_006;
+
+/// Six edges of a cube, out of order and in both senses.
+const HEXAGON: &str =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\nv 0 0 1\nl 4 3\nl 1 2\nl 1 6\nl 2 3\nl 5 6\nl 4 5\n";
+
+#[test]
+fn a_hexagon_comes_out_in_every_format() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();
+    let names = ["x.step", "x.stp", "x.glb", "x.ply", "x.obj", "x.stl", "x.vtu", "x.toml"];
+    let mut arguments = vec!["hexagon.obj"];
+    names.iter().for_each(|name| arguments.extend(["-o", name]));
+    let out = fill(folder.path(), &arguments);
+    assert!((area(&out) - 1.5 * SKEW).abs() < 1e-10, "{}", text(&out.stdout));
+    assert!(text(&out.stdout).contains("6 of degree 6"));
+    for name in names {
+        assert!(fs::metadata(folder.path().join(name)).unwrap().len() > 100, "{name}");
+    }
+    let step = fs::read_to_string(folder.path().join("x.step")).unwrap();
+    assert_eq!((step.matches("OPEN_SHELL").count(), step.matches("ADVANCED_FACE").count()), (1, 6));
+    // Vertices of the mesh on common edges are there once: V − E + F = 1.
+    let mesh = fs::read_to_string(folder.path().join("x.obj")).unwrap();
+    let (vertices, triangles) = (mesh.matches("\nv ").count(), mesh.matches("\nf ").count());
+    // 6 · 16² squares, 12 · 16 of their edges on the rim.
+    assert_eq!((vertices, triangles), (1 + (6 * 256 * 4 + 12 * 16) / 2 - 6 * 256, 6 * 2 * 256));
+}
+
+#[test]
+fn two_rings_are_joined_and_compared_with_two_discs() {
+    let folder = tempfile::tempdir().unwrap();
+    let ring = |z: f64| {
+        let point = |k: i32| {
+            let (s, c) = (f64::from(k) * std::f64::consts::TAU / 64.0).sin_cos();
+            format!("v {c} {s} {z}\n")
+        };
+        (0..64).map(point).collect::<String>()
+            + "l "
+            + &(0..65).map(|k| format!("{} ", k % 64 - 64)).collect::<String>()
+    };
+    for (name, z) in [("below.obj", -0.2), ("above.obj", 0.2)] {
+        fs::write(folder.path().join(name), ring(z)).unwrap();
+    }
+    // One file of each: π c (0.4 + c sinh(0.4/c)) with c cosh(0.2/c) = 1.
+    let mut c: f64 = 1.0;
+    (0..60).for_each(|_| c = 1.0 / (0.2 / c).cosh());
+    let exact = std::f64::consts::PI * c * (0.4 + c * (0.4 / c).sinh());
+    let out = fill(folder.path(), &["below.obj", "above.obj"]);
+    assert!((area(&out) / exact - 1.0).abs() < 1e-3, "{} {exact}", text(&out.stdout));
+    assert!(text(&out.stdout).contains("one by one      6.28"), "{}", text(&out.stdout));
+}
+
+#[test]
+fn gaps_are_welded_and_counted() {
+    let folder = tempfile::tempdir().unwrap();
+    let sides = "v 0 0 0\nv 1 0 0\nv 1 0 0.00002\nv 1 1 1\nv 0 1 0\nl 1 2\nl 3 4\nl 4 5\nl 5 1\n";
+    fs::write(folder.path().join("near.obj"), sides).unwrap();
+    let out = fill(folder.path(), &["near.obj"]);
+    assert!((area(&out) - SKEW).abs() < 1e-4);
+    assert!(text(&out.stdout).contains("welded          1 end,"), "{}", text(&out.stdout));
+    let out = fill(folder.path(), &["near.obj", "--weld", "1e-6"]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("--weld"), "{}", text(&out.stderr));
+}
+
+#[test]
+fn what_cannot_be_filled_or_written_says_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();
+    let triangle = |k: i32| format!("v {k} 0 0\nv {k} 0.5 0\nv {k} 0 0.5\nl -3 -2 -1 -3\n");
+    fs::write(folder.path().join("three.obj"), (0..3).map(triangle).collect::<String>()).unwrap();
+    for (arguments, said) in [
+        (vec!["hexagon.obj", "-o", "x.jpg"], "step"),
+        (vec!["hexagon.obj", "-o", "hexagon.obj"], "would be replaced"),
+        (vec!["hexagon.obj", "--corner-angle", "200"], "corner angle"),
+        (vec!["hexagon.obj", "--tolerance", "0"], "tolerance"),
+        (vec!["three.obj"], "[[face]]"),
+        (vec!["nowhere.obj"], "nowhere.obj"),
+    ] {
+        let out = fill(folder.path(), &arguments);
+        assert_eq!(out.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&out.stderr).contains(said), "{arguments:?}: {}", text(&out.stderr));
+        assert!(out.stdout.is_empty(), "{arguments:?}");
+    }
+}
