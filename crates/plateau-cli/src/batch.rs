@@ -124,15 +124,27 @@ fn experiment(
     if let Some(problem) = checkpoint.problem() {
         say(&format!("warning: {}: finished runs could not be kept: {problem}", checkpoint.path().display()));
     }
+    conclude(plan, &finished, &checkpoint, arguments, bars, stdout)
+}
+
+/// Shows and writes what was found; what was computed is kept even where neither can be done.
+fn conclude(
+    plan: &Plan,
+    finished: &Finished,
+    checkpoint: &Checkpoint,
+    arguments: &RunArguments,
+    bars: &Bars,
+    stdout: &mut impl Write,
+) -> Result<Outcome, Failure> {
     let json = arguments.json;
     let mut sound = if json {
-        expectations(plan, &finished, &mut std::io::sink())?
+        expectations(plan, finished, &mut std::io::sink())?
     } else {
         write!(stdout, "{}", table(&finished.results, room()))?;
-        expectations(plan, &finished, stdout)?
+        expectations(plan, finished, stdout)?
     };
     bars.begin(&format!("files of {}", plan.stem), None);
-    let delivered = deliver_watched(plan, &finished, out, bars);
+    let delivered = deliver_watched(plan, finished, &arguments.out, bars);
     bars.end();
     match delivered {
         Ok(delivered) if interrupted() && !delivered.record.unwritten().is_empty() => {
@@ -155,7 +167,7 @@ fn experiment(
                 say(&format!("error: {refusal}"));
                 sound = false;
             }
-            forget(&checkpoint);
+            forget(checkpoint);
         }
         Err(error) => {
             say(&format!("error: {}: the result cannot be written: {error}", plan.file));

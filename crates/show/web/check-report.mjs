@@ -133,6 +133,10 @@ for (const file of words) {
         const cell = document.querySelector('th[data-figure="area"]');
         return cell ? cell.getBoundingClientRect().right : 0;
       });
+      // On a desk no column is cut.
+      const cut = await view.evaluate(() => [...document.querySelectorAll(".wide")].filter((box) =>
+        box.scrollWidth > box.clientWidth + 1).map((box) => box.scrollWidth - box.clientWidth));
+      must(options.viewport.width < 1400 || !cut.length, `${suffix}: columns cut by ${cut} pixels`);
       must(area <= options.viewport.width, `${suffix}: the area lies ${area} pixels to the right`);
       const wide = await view.evaluate(() => document.documentElement.scrollWidth > innerWidth + 1);
       must(!wide, `${suffix}: the page is wider than the window`);

@@ -57,7 +57,8 @@ fn table(Cells { columns, rows }: &Cells) -> String {
             } else {
                 String::new()
             };
-            let _ = write!(html, "<td>{}{marks}</td>", Escaped(cell));
+            let class = if k > 0 && columns[k].is_words { " class=\"parameters\"" } else { "" };
+            let _ = write!(html, "<td{class}>{}{marks}</td>", Escaped(cell));
         }
         if let Some(failure) = &row.failure {
             let (span, failure) = (columns.len() - 1, Escaped(failure));

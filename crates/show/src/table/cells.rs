@@ -27,7 +27,7 @@ pub(crate) struct Row {
 /// What a column shows of a patch that is not one number.
 type Words = (&'static str, &'static str, fn(&Done) -> String);
 
-const WORDS: [Words; 2] = [("weights", "a b", weights), ("shape parameters", "α1 α2 β1 β2", shape)];
+const WORDS: [Words; 2] = [("weights", "a b", weights), ("shape", "α1 α2 β1 β2", shape)];
 
 /// Most notes whose numbers stand beside a name.
 const MARKS: usize = 3;
@@ -77,8 +77,10 @@ const AREA: [&str; 2] = ["area", "area_error"];
 
 /// The figures of a place: those that are always there, and the energies that a method minimised.
 fn shown(done: &[Option<&Done>], place: Place) -> Vec<&'static Figure> {
-    let is_shown = |figure: &&Figure| {
-        figure.place == Place::Everywhere || place == Place::Page || figure.is_minimised_by(done)
+    let is_shown = |figure: &&Figure| match figure.place {
+        Place::Everywhere => true,
+        Place::Page => place == Place::Page || figure.is_minimised_by(done),
+        Place::Minimised => figure.is_minimised_by(done),
     };
     FIGURES.iter().filter(is_shown).collect()
 }

@@ -12,6 +12,8 @@ pub(crate) enum Place {
     Everywhere,
     /// On the page alone, which has the room.
     Page,
+    /// On both, where a method minimised it.
+    Minimised,
 }
 
 /// A figure as tables show it.
@@ -108,7 +110,7 @@ pub(crate) const FIGURES: [Figure; 11] = [
         value: |done| Some(done.figures.bending.value),
         form: Form::Decimals(7),
         vanishes_if_exact: true,
-        place: Place::Page,
+        place: Place::Minimised,
         rank: 9,
         energy: Some(Energy::Bending),
         ..PLAIN
