@@ -2,7 +2,7 @@
 
 use super::Picture;
 use super::axis::{Axis, frame};
-use super::svg::{ACCENT, Anchor, FAINT, Font, Svg, path, shortened};
+use super::svg::{ACCENT, Anchor, FAINT, Font, Svg, path};
 use crate::number::number;
 use plateau::{Results, SearchOutcome, SearchRun};
 
@@ -36,8 +36,8 @@ pub(super) fn picture(results: &Results) -> Option<Picture> {
         panels(&mut svg, name, search, SIZE[1] * k as f64, k);
     }
     let caption =
-        "Every run of the search: the best value found so far, and its gap to the least value of all runs. \
-                   A curve of gaps ends where nothing is left of it."
+        "Every run of the search: the best value found so far, where it tells anything, and its gap to the least \
+                   value of all runs. A curve of gaps ends where nothing is left of it."
             .into();
     Some(Picture { name: "convergence", caption, svg: svg.finish() })
 }
@@ -48,14 +48,13 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     drawn.push(best);
     let runs: Vec<&SearchRun> = drawn.iter().map(|&k| &search.runs[k]).collect();
 
-    svg.text([20.0, y + 22.0], Anchor::Start, Font::TITLE, &shortened(name, 50));
     let of = if runs.len() < search.runs.len() {
         format!("{} of {}", runs.len(), search.runs.len())
     } else {
         runs.len().to_string()
     };
     let caption = format!("{of} runs; least value {:.7} length²", search.minimum);
-    svg.text([20.0, y + 39.0], Anchor::Start, Font::SMALL, &caption);
+    svg.heading([20.0, y + 4.0], name, 70, &caption);
     let (top, bottom) = (y + 56.0, y + SIZE[1] - 54.0);
     let mut key = SIZE[0] - 210.0;
     for (label, colour, width) in [("a run", RUN, 1.0), ("the best run", ACCENT, 2.0)] {
@@ -71,10 +70,14 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     let x = |pixels| Axis::linear(0.0, (length - 1).max(1) as f64, pixels, 5);
     let most = (CORNERS / runs.len()).max(20);
 
-    let (iterations, values) = (x([96.0, 400.0]), Axis::linear(low, high, [bottom, top], 5));
-    frame(svg, &iterations, &values, "iteration", "best value (length²)");
-    svg.clip(&format!("values-{row}"), [96.0, top - 2.0, 402.0, bottom + 2.0]);
-    draw(svg, &runs, &iterations, &values, most, Some);
+    let tells = values_tell(&runs, low, high);
+    if tells {
+        let (iterations, values) = (x([96.0, 400.0]), Axis::linear(low, high, [bottom, top], 5));
+        frame(svg, &iterations, &values, "iteration", "best value (length²)");
+        svg.clip(&format!("values-{row}"), [96.0, top - 2.0, 402.0, bottom + 2.0]);
+        draw(svg, &runs, &iterations, &values, most, Some);
+    }
+    let left = if tells { 520.0 } else { 96.0 };
 
     // Below this a gap is rounding.
     let floor = search.minimum.abs() * f64::EPSILON;
@@ -84,20 +87,28 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     let least = gaps.iter().copied().reduce(f64::min);
     let Some((least, largest)) = least.zip(gaps.iter().copied().reduce(f64::max)) else {
         svg.text(
-            [650.0, 0.5 * (top + bottom)],
+            [0.5 * (left + 836.0), 0.5 * (top + bottom)],
             Anchor::Middle,
             Font::SMALL,
             "no run ever differed from the best",
         );
         return;
     };
-    let (iterations, gaps) = (x([520.0, 836.0]), Axis::logarithmic(least, largest, [bottom, top], 7));
+    let (iterations, gaps) = (x([left, 836.0]), Axis::logarithmic(least, largest, [bottom, top], 7));
     frame(svg, &iterations, &gaps, "iteration", "gap to the least value (length²)");
     draw(svg, &runs, &iterations, &gaps, most, gap);
     if least < 1e-3 * largest {
         let note = format!("smallest gap {}", number(least));
         svg.text([832.0, top + 14.0], Anchor::End, Font { colour: FAINT, ..Font::SMALL }, &note);
     }
+}
+
+/// Whether the best values themselves show how the runs went. If a tenth of the iterations leaves less than a twentieth of
+/// their range, they are all one flat line, and only their gaps tell.
+fn values_tell(runs: &[&SearchRun], low: f64, high: f64) -> bool {
+    let after = runs.iter().filter_map(|run| run.history.get(run.history.len() / 10)).copied();
+    let highest = after.filter(|value| value.is_finite()).fold(low, f64::max);
+    highest - low >= 0.05 * (high - low)
 }
 
 /// Draws the runs as steps, the last one, the best, on top; a run ends where `of` has no value.

@@ -7,7 +7,7 @@ use surfaces::Domain;
 
 use super::axis::{Axis, frame};
 use super::panels::arrange;
-use super::svg::{Anchor, Font, INK, Length, Svg, path, shortened};
+use super::svg::{INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
 use crate::number::number;
@@ -67,8 +67,7 @@ fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2
     let largest = values.iter().flatten().map(|h| h.abs()).reduce(f64::max);
     let caption =
         largest.map_or("singular everywhere".into(), |h| format!("max |H| = {} 1/length", number(h)));
-    svg.text([left, y + 18.0], Anchor::Start, Font::TITLE, &shortened(shown.name, 30));
-    svg.text([left, y + 35.0], Anchor::Start, Font::SMALL, &caption);
+    svg.heading([left, y], shown.name, 26, &caption);
 
     let (u, v) = match shown.sample.domain {
         Domain::Rectangle { u, v } => (u, v),

@@ -75,6 +75,18 @@ impl Svg {
         self.turned_text(at, anchor, font, text, 0.0);
     }
 
+    /// The heading of a panel at its upper left corner: a title of at most `most` characters a line, in two lines if need be,
+    /// and a caption. It ends 42 pixels below the corner.
+    pub(super) fn heading(&mut self, [x, y]: [f64; 2], title: &str, most: usize, caption: &str) {
+        let (first, second) = two_lines(title, most);
+        let (title, below) = if second.is_empty() { (18.0, 35.0) } else { (12.0, 39.0) };
+        self.text([x, y + title], Anchor::Start, Font::TITLE, &first);
+        if !second.is_empty() {
+            self.text([x, y + 26.0], Anchor::Start, Font::TITLE, &second);
+        }
+        self.text([x, y + below], Anchor::Start, Font::SMALL, caption);
+    }
+
     /// A text turned by so many degrees, clockwise.
     pub(super) fn turned_text(
         &mut self,
@@ -195,7 +207,7 @@ pub(super) fn path(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> 
 }
 
 /// `text` in at most `most` characters, its middle left out if it must be.
-pub(super) fn shortened(text: &str, most: usize) -> String {
+fn shortened(text: &str, most: usize) -> String {
     let count = text.chars().count();
     if count <= most {
         return text.to_owned();
@@ -203,6 +215,18 @@ pub(super) fn shortened(text: &str, most: usize) -> String {
     let head: String = text.chars().take(most.div_ceil(2)).collect();
     let tail: String = text.chars().skip(count - (most / 2).saturating_sub(1)).collect();
     format!("{}…{}", head.trim_end(), tail.trim_start())
+}
+
+/// A text broken after a word into two lines of at most `most` characters; what does not fit is cut from the middle of the
+/// second. Short texts leave it empty.
+fn two_lines(text: &str, most: usize) -> (String, String) {
+    if text.chars().count() <= most {
+        return (text.to_owned(), String::new());
+    }
+    let end = text.char_indices().nth(most).map_or(text.len(), |(at, _)| at);
+    // A blank right behind the line ends it, too.
+    let at = if text[end..].starts_with(' ') { end } else { text[..end].rfind(' ').unwrap_or(end) };
+    (text[..at].trim_end().to_owned(), shortened(text[at..].trim_start(), most))
 }
 
 #[cfg(test)]
@@ -223,6 +247,13 @@ mod tests {
 
     #[test]
     fn texts_lose_their_middle() {
+        let lines = |text, most| {
+            let (first, second) = two_lines(text, most);
+            [first, second]
+        };
+        assert_eq!(lines("metric correction, 3 steps", 20), ["metric correction, 3", "steps"]);
+        assert_eq!(lines("TB–Coons, least area", 20), ["TB–Coons, least area", ""]);
+        assert_eq!(lines("最小曲面最小曲面", 5), ["最小曲面最", "小曲面"]);
         assert_eq!(shortened("frame 07 of 11", 20), "frame 07 of 11");
         assert_eq!(shortened("abcdefghijklmnop", 8), "abcd…nop");
     }

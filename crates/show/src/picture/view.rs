@@ -3,7 +3,7 @@
 use surfaces::Point;
 
 use super::panels::arrange;
-use super::svg::{Anchor, FAINT, Font, INK, Length, Svg, path, shortened};
+use super::svg::{Anchor, FAINT, Font, INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
 use crate::number::Form;
@@ -37,13 +37,12 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let camera = Camera::fitting(scene, &chosen, true, CELL);
     for (k, shown) in chosen.iter().enumerate() {
         let (x, y) = (cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64);
-        svg.text([x + 16.0, y + 18.0], Anchor::Start, Font::TITLE, &shortened(shown.name, 34));
         let mut caption = format!("area {} length²", Form::Digits(7).of(shown.done.figures.area.value));
         let times = shown.net_size();
         if times > LARGEST_NET {
             caption += &format!("; net {}× larger", Form::Digits(2).of(times));
         }
-        svg.text([x + 16.0, y + 35.0], Anchor::Start, Font::SMALL, &caption);
+        svg.heading([x + 16.0, y], shown.name, 34, &caption);
         let clip = format!("view-{k}");
         svg.clip(&clip, [x, y + HEAD, x + CELL[0], y + HEAD + CELL[1]]);
         svg.open(format_args!(r#"clip-path="url(#{clip})""#));
