@@ -75,7 +75,7 @@ pub enum Interior {
     DiscreteCoons,
     /// The net of a harmonic Bézier surface (GT §6, corrected), for tensor patches without `raise`.
     ///
-    /// With [`Boundary::Rows`](crate::Boundary::Rows) or [`Boundary::Columns`](crate::Boundary::Columns) the two sides determine it; with
+    /// With [`Boundary::Opposite`](crate::Boundary::Opposite) the two sides determine it; with
     /// [`Boundary::Tensor`](crate::Boundary::Tensor) all four sides are data, and it is the runner's to find them in conflict.
     Harmonic,
 }

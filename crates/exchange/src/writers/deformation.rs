@@ -18,7 +18,7 @@ const SECONDS: f64 = 4.0;
 /// `(aH_u − bH_v) × (aH_v + bH_u) = (a² + b²) H_u × H_v`.
 ///
 /// # Errors
-/// As [`glb::write`].
+/// As of every GLB file: what it cannot hold is refused, and what the writer under it says.
 pub fn write_deformation(
     name: &str,
     helicoid: &Mesh,
