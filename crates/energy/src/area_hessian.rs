@@ -145,6 +145,7 @@ pub(crate) struct Density {
 
 impl Density {
     /// The value and its derivatives by x_u and x_v; none where these are parallel to within rounding, or one vanishes.
+    #[inline]
     pub(crate) fn slope(x_u: Point, x_v: Point) -> Option<(f64, Point, Point)> {
         let cross = x_u.cross(x_v);
         let value = cross.norm();
@@ -156,6 +157,7 @@ impl Density {
     }
 
     /// None where x_u and x_v are parallel to within rounding, or one of them vanishes.
+    #[inline]
     pub(crate) fn new(x_u: Point, x_v: Point) -> Option<Self> {
         let (value, by_u, by_v) = Self::slope(x_u, x_v)?;
         let normal = x_u.cross(x_v).unit()?;

@@ -1,6 +1,7 @@
 //! Cells of products of functions of one variable, by sum factorisation.
 
 use bases::{Basis, GaussLegendre, Matrix};
+use pulp::{Arch, WithSimd};
 use surfaces::Point;
 
 use crate::area_hessian::Density;
@@ -25,6 +26,9 @@ struct Line {
     nodes: Vec<f64>,
     values: Matrix,
     slopes: Matrix,
+    /// The same, functions × points.
+    values_by_function: Vec<f64>,
+    slopes_by_function: Vec<f64>,
 }
 
 impl Line {
@@ -37,7 +41,9 @@ impl Line {
             values.row_mut(p).copy_from_slice(&table[..count]);
             slopes.row_mut(p).copy_from_slice(&table[count..]);
         }
-        Self { nodes, values, slopes }
+        let [values_by_function, slopes_by_function] =
+            [&values, &slopes].map(|table| table.transpose().as_slice().to_vec());
+        Self { nodes, values, slopes, values_by_function, slopes_by_function }
     }
 
     fn points(&self) -> usize {
@@ -204,52 +210,11 @@ impl Cell for ProductCell {
     }
 
     fn tangents(&self, x: &[Point]) -> Vec<[Point; 2]> {
-        let (q, n) = (self.v.points(), self.v.functions());
-        let mut tangents = Vec::with_capacity(self.u.points() * q);
-        let (mut along_u, mut along_v) = (vec![Point::ZERO; n], vec![Point::ZERO; n]);
-        for a in 0..self.u.points() {
-            along_u.fill(Point::ZERO);
-            along_v.fill(Point::ZERO);
-            for (row, (f, df)) in x.chunks_exact(n).zip(self.u.values.row(a).iter().zip(self.u.slopes.row(a)))
-            {
-                for (j, &x) in row.iter().enumerate() {
-                    along_u[j] += x * *df;
-                    along_v[j] += x * *f;
-                }
-            }
-            for b in 0..q {
-                let (mut x_u, mut x_v) = (Point::ZERO, Point::ZERO);
-                for (j, (g, dg)) in self.v.values.row(b).iter().zip(self.v.slopes.row(b)).enumerate() {
-                    x_u += along_u[j] * *g;
-                    x_v += along_v[j] * *dg;
-                }
-                tangents.push([x_u, x_v]);
-            }
-        }
-        tangents
+        Arch::new().dispatch(Tangents { cell: self, x })
     }
 
     fn adjoint(&self, pairs: &[[Point; 2]]) -> Vec<Point> {
-        let (q, n) = (self.v.points(), self.v.functions());
-        let mut sums = vec![Point::ZERO; self.nodes()];
-        let (mut along_u, mut along_v) = (vec![Point::ZERO; n], vec![Point::ZERO; n]);
-        for (a, line) in pairs.chunks_exact(q).enumerate() {
-            along_u.fill(Point::ZERO);
-            along_v.fill(Point::ZERO);
-            for (b, &[by_u, by_v]) in line.iter().enumerate() {
-                for (j, (g, dg)) in self.v.values.row(b).iter().zip(self.v.slopes.row(b)).enumerate() {
-                    along_u[j] += by_u * *g;
-                    along_v[j] += by_v * *dg;
-                }
-            }
-            let functions = self.u.values.row(a).iter().zip(self.u.slopes.row(a));
-            for (row, (f, df)) in sums.chunks_exact_mut(n).zip(functions) {
-                for (j, sum) in row.iter_mut().enumerate() {
-                    *sum += along_u[j] * *df + along_v[j] * *f;
-                }
-            }
-        }
-        sums
+        Arch::new().dispatch(Adjoint { cell: self, pairs })
     }
 
     fn stiffness(&self, wanted: &[bool], forms: &[[f64; 3]]) -> Matrix {
@@ -337,6 +302,87 @@ impl Cell for ProductCell {
             }
         });
         Ok(mirrored(matrix))
+    }
+}
+
+/// [`Cell::tangents`], coordinate by coordinate, so that all points of a line are summed at once.
+struct Tangents<'a> {
+    cell: &'a ProductCell,
+    x: &'a [Point],
+}
+
+impl WithSimd for Tangents<'_> {
+    type Output = Vec<[Point; 2]>;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
+        let (u, v) = (&self.cell.u, &self.cell.v);
+        let (q, n) = (v.points(), v.functions());
+        let columns: Vec<f64> = self.x.iter().flat_map(|&p| <[f64; 3]>::from(p)).collect();
+        let mut tangents = Vec::with_capacity(u.points() * q);
+        let mut along = [vec![0.0; 3 * n], vec![0.0; 3 * n]];
+        let mut line = [0; 6].map(|_| vec![0.0; q]);
+        for a in 0..u.points() {
+            along.iter_mut().for_each(|along| along.fill(0.0));
+            for (i, row) in columns.chunks_exact(3 * n).enumerate() {
+                for (along, f) in along.iter_mut().zip([u.slopes[(a, i)], u.values[(a, i)]]) {
+                    along.iter_mut().zip(row).for_each(|(sum, x)| *sum += f * x);
+                }
+            }
+            for (part, functions) in [&v.values_by_function, &v.slopes_by_function].into_iter().enumerate() {
+                for c in 0..3 {
+                    let sums = &mut line[3 * part + c];
+                    sums.fill(0.0);
+                    for (j, functions) in functions.chunks_exact(q).enumerate() {
+                        let x = along[part][3 * j + c];
+                        sums.iter_mut().zip(functions).for_each(|(sum, g)| *sum += x * g);
+                    }
+                }
+            }
+            let at = |b: usize, part: usize| {
+                Point::new(line[3 * part][b], line[3 * part + 1][b], line[3 * part + 2][b])
+            };
+            tangents.extend((0..q).map(|b| [at(b, 0), at(b, 1)]));
+        }
+        tangents
+    }
+}
+
+/// [`Cell::adjoint`], likewise.
+struct Adjoint<'a> {
+    cell: &'a ProductCell,
+    pairs: &'a [[Point; 2]],
+}
+
+impl WithSimd for Adjoint<'_> {
+    type Output = Vec<Point>;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
+        let (u, v) = (&self.cell.u, &self.cell.v);
+        let (q, n) = (v.points(), v.functions());
+        let mut sums = vec![0.0; 3 * u.functions() * n];
+        // Coordinate after coordinate, n numbers each.
+        let mut along = [vec![0.0; 3 * n], vec![0.0; 3 * n]];
+        for (a, line) in self.pairs.chunks_exact(q).enumerate() {
+            along.iter_mut().for_each(|along| along.fill(0.0));
+            for (b, pair) in line.iter().enumerate() {
+                for ((along, x), functions) in
+                    along.iter_mut().zip(pair).zip([v.values.row(b), v.slopes.row(b)])
+                {
+                    for (along, x) in along.chunks_exact_mut(n).zip(<[f64; 3]>::from(*x)) {
+                        along.iter_mut().zip(functions).for_each(|(sum, g)| *sum += x * g);
+                    }
+                }
+            }
+            for (i, row) in sums.chunks_exact_mut(3 * n).enumerate() {
+                let (f, df) = (u.values[(a, i)], u.slopes[(a, i)]);
+                let both = along[0].iter().zip(&along[1]);
+                row.iter_mut().zip(both).for_each(|(sum, (by_u, by_v))| *sum += df * by_u + f * by_v);
+            }
+        }
+        let point = |row: &[f64], j: usize| Point::new(row[j], row[n + j], row[2 * n + j]);
+        sums.chunks_exact(3 * n).flat_map(|row| (0..n).map(move |j| point(row, j))).collect()
     }
 }
 

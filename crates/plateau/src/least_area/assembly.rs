@@ -22,10 +22,6 @@ impl Assembly<'_> {
         (0..self.topology.cells.len()).map(|k| self.cell.tangents(&self.topology.of_cell(k, x))).collect()
     }
 
-    pub(super) fn area(&self, x: &[Point]) -> f64 {
-        self.area_of(&self.tangents(x))
-    }
-
     pub(super) fn area_of(&self, tangents: &Tangents) -> f64 {
         tangents.iter().map(|tangents| self.cell.area(tangents)).sum()
     }

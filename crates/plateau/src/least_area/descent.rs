@@ -1,12 +1,14 @@
 //! The stages of a minimisation: metric corrections, Newton steps in all coordinates, Newton steps along the normals.
 
+use std::rc::Rc;
+
 use energy::{EnergyError, Freedom};
-use solve::SolveError;
+use solve::{Condensed, SolveError};
 use surfaces::Point;
 
 use super::assembly::{Assembly, Tangents, Unknowns, solve_vectors};
 use super::outcome::{AreaEnd, Stage, ValleyEnd};
-use super::rules::{Rules, Settled};
+use super::rules::{Fine, Known, Rules};
 use super::space::Space;
 use crate::MethodError;
 use crate::Progress;
@@ -19,7 +21,7 @@ const CORRECTION_GAIN: f64 = 1e-4;
 const STEPS: usize = 40;
 const LOOSE: f64 = 1e-10;
 
-/// Steps running that gain less than the tolerance after which it is reached; more for every digit below [`LOOSE`].
+/// Steps running that gain less than the tolerance after which it is reached; one more for every digit below 1e-9.
 const IDLE: usize = 2;
 
 /// Share of the Dirichlet product in the first of them, and the least.
@@ -34,6 +36,12 @@ const TRIES: usize = 14;
 
 /// Steps with one factorisation at most, beyond the first.
 const CORRECTED: usize = 10;
+
+/// Share of what a step has gained so far that another with its factorisation must gain for one more to follow.
+const CORRECTED_GAIN: f64 = 0.1;
+
+/// Newton steps along the normals end once one is predicted to gain no more than this share of the tolerance, or rounding.
+const NORMAL_GAIN: f64 = 1e-6;
 
 /// Newton steps along the normals at most.
 const NORMAL_STEPS: usize = 20;
@@ -56,7 +64,7 @@ pub(super) struct Descent<'a, 'p, S: Space> {
     pub(super) progress: &'p dyn Progress,
     pub(super) tolerance: f64,
     scalar: Unknowns,
-    all: Unknowns,
+    all: Rc<Unknowns>,
     pub(super) iterations: usize,
     pub(super) evaluations: usize,
 }
@@ -64,8 +72,7 @@ pub(super) struct Descent<'a, 'p, S: Space> {
 /// Where a descent ended.
 #[derive(Debug, Clone)]
 pub(super) struct Reached {
-    pub(super) x: Vec<Point>,
-    pub(super) settled: Settled,
+    pub(super) surface: Known,
     pub(super) corrections: Stage,
     pub(super) steps: Stage,
     pub(super) normal_steps: Stage,
@@ -73,30 +80,24 @@ pub(super) struct Reached {
     pub(super) valley: ValleyEnd,
 }
 
-/// A step in all coordinates.
+/// A step.
 struct Step {
     x: Vec<Point>,
-    area: f64,
-    /// The decrease predicted, and what of it came true.
+    fine: Fine,
+    /// The decrease of the area predicted, and what of it came true.
     predicted: f64,
     quality: f64,
-}
-
-/// A surface with what a step needs of it.
-struct Here {
-    tangents: Tangents,
-    gradient: Vec<Point>,
 }
 
 impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
     pub(super) fn new(space: &'a S, tolerance: f64, progress: &'p dyn Progress) -> Result<Self, MethodError> {
         let topology = space.topology();
         Ok(Self {
-            rules: Rules::new(space),
+            rules: Rules::new(space, tolerance),
             progress,
             tolerance,
             scalar: Unknowns::scalar(topology)?,
-            all: Unknowns::all(topology)?,
+            all: Rc::new(Unknowns::all(topology)?),
             iterations: 0,
             evaluations: 0,
         })
@@ -106,12 +107,16 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         &self.scalar
     }
 
-    /// All three stages from `x`; evenness counts from that of `reference`.
-    pub(super) fn run(&mut self, x: Vec<Point>, reference: &[Point]) -> Result<Reached, MethodError> {
-        let settled = self.rules.settle(self.rules.first(), &x)?;
+    /// All three stages from `x`; evenness counts from that of `reference`. A surface that is `near` begins with steps that are
+    /// nearly Newton's.
+    pub(super) fn run(
+        &mut self,
+        x: Vec<Point>,
+        reference: &[Point],
+        near: bool,
+    ) -> Result<Reached, MethodError> {
         let mut reached = Reached {
-            x,
-            settled,
+            surface: self.rules.settled(x)?,
             corrections: Stage::default(),
             steps: Stage::default(),
             normal_steps: Stage::default(),
@@ -122,7 +127,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
             return Ok(reached);
         }
         self.corrections(&mut reached)?;
-        self.steps(&mut reached, reference)?;
+        self.steps(&mut reached, reference, if near { TRUSTED_SHIFT } else { FIRST_SHIFT })?;
         self.normal_steps(&mut reached)?;
         Ok(reached)
     }
@@ -143,11 +148,11 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
     fn corrections(&mut self, reached: &mut Reached) -> Result<(), MethodError> {
         while reached.corrections.steps < CORRECTIONS {
             self.watch(reached)?;
-            let cell = self.rules.cell(reached.settled.points)?;
+            let here = &reached.surface;
+            let cell = self.rules.cell(here.points)?;
             let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
-            let tangents = assembly.tangents(&reached.x);
-            let Some(gradient) = defined(assembly.gradient(&tangents))? else { break };
-            let metrics = assembly.metrics(&tangents)?;
+            let Some(gradient) = defined(assembly.gradient(&here.tangents))? else { break };
+            let metrics = assembly.metrics(&here.tangents)?;
             self.iterations += 1;
             let change = match solve_vectors(&self.scalar, &metrics, &gradient) {
                 Ok(change) => change,
@@ -155,18 +160,20 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
                 Err(MethodError::Solve(SolveError::NotPositiveDefinite { .. })) => break,
                 Err(error) => return Err(error),
             };
-            let x: Vec<Point> = reached.x.iter().zip(change).map(|(&x, d)| x - d).collect();
-            let settled = self.rules.settle(reached.settled.points, &x)?;
+            let x = less(&here.x, &change);
+            let next = self.rules.at(here.points, x)?;
+            let next = self.rules.settle(next)?;
             self.evaluations += 1;
-            let before = self.same_rule(reached, settled.points)?;
-            let gained = before - settled.area;
+            self.move_rule(reached, next.points)?;
+            let before = reached.surface.area();
+            let gained = before - next.area();
             // A gain within the error of the rule is none.
-            if gained.is_nan() || gained <= settled.error.max(ROUNDING * before) {
+            if gained.is_nan() || gained <= next.error.max(ROUNDING * before) {
                 break;
             }
             reached.corrections.steps += 1;
             reached.corrections.gained += gained;
-            (reached.x, reached.settled) = (x, settled);
+            reached.surface = next;
             if gained < CORRECTION_GAIN * before {
                 break;
             }
@@ -174,45 +181,63 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         Ok(())
     }
 
-    /// The area of the surface reached by the rule of `points`, to which it is moved on.
-    fn same_rule(&mut self, reached: &mut Reached, points: usize) -> Result<f64, MethodError> {
-        if reached.settled.points != points {
-            reached.settled = self.rules.compare(points, &reached.x)?;
+    /// The surface reached at the rule of `points`.
+    fn move_rule(&mut self, reached: &mut Reached, points: usize) -> Result<(), MethodError> {
+        if reached.surface.points != points {
+            reached.surface = self.rules.at(points, std::mem::take(&mut reached.surface.x))?;
         }
-        Ok(reached.settled.area)
+        Ok(())
     }
 
-    fn here(&mut self, reached: &Reached) -> Result<Option<Here>, MethodError> {
-        let cell = self.rules.cell(reached.settled.points)?;
-        let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
-        let tangents = assembly.tangents(&reached.x);
-        Ok(defined(assembly.gradient(&tangents))?.map(|gradient| Here { tangents, gradient }))
-    }
-
-    fn evenness(&mut self, points: usize, x: &[Point]) -> Result<f64, MethodError> {
-        let cell = self.rules.cell(Rules::<S>::finer(points))?;
-        let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
-        Ok(assembly.jacobian_ratio(&assembly.tangents(x)))
+    /// The least evenness of surfaces.
+    fn floor(&mut self, points: usize, surfaces: [&[Point]; 2]) -> Result<f64, MethodError> {
+        let [first, second] = surfaces;
+        Ok(self.rules.fine(points, first)?.evenness.min(self.rules.fine(points, second)?.evenness))
     }
 
     /// Levenberg–Marquardt steps `(H + λK) d = −∇A` in all coordinates, K the Dirichlet product over the surface, until two
     /// running gain less than the tolerance. A step is judged by the finer rule, so that none exploits what the rule misses.
-    fn steps(&mut self, reached: &mut Reached, reference: &[Point]) -> Result<(), MethodError> {
-        let (mut shift, mut idle, mut last) = (FIRST_SHIFT, 0, 0);
+    fn steps(
+        &mut self,
+        reached: &mut Reached,
+        reference: &[Point],
+        mut shift: f64,
+    ) -> Result<(), MethodError> {
+        let (mut idle, mut last) = (0, 0);
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
         let share = EVENNESS * 10f64.powf(-digits);
-        let mut floor = share * self.evenness(reached.settled.points, reference)?;
+        let patience = IDLE + (1e-9 / self.tolerance).log10().max(0.0).round() as usize;
+        let first = reached.surface.x.clone();
+        let mut floor = self.floor(reached.surface.points, [reference, &first])? * share;
         reached.valley = ValleyEnd::Budget;
         for _ in 0..STEPS + (2.0 * STEPS as f64 * digits) as usize {
             self.watch(reached)?;
-            let Some(here) = self.here(reached)? else { break };
-            let Some(Step { x, area, predicted, quality }) = self.step(reached, &here, &mut shift)? else {
+            let Some(Step { x, fine, predicted, quality }) = self.step(&reached.surface, &mut shift)? else {
                 reached.valley = ValleyEnd::Rounding;
                 return Ok(());
             };
-            let used = shift;
-            if predicted <= ROUNDING * area {
-                reached.x = x;
+            let (points, before, used) = (reached.surface.points, reached.surface.area(), shift);
+            let rounding = predicted <= ROUNDING * before;
+            if !rounding && fine.evenness < floor {
+                reached.valley = ValleyEnd::Ratio;
+                return Ok(());
+            }
+            let next = self.rules.known(points, x, fine)?;
+            let next = if rounding { next } else { self.rules.settle(next)? };
+            if next.points != points {
+                floor = self.floor(next.points, [reference, &first])? * share;
+                // What the coarser rules promised is no gain if the finer ones do not see it.
+                self.move_rule(reached, next.points)?;
+                if reached.surface.area() <= next.area() {
+                    shift *= 4.0;
+                    continue;
+                }
+            }
+            let gained = reached.surface.area() - next.area();
+            reached.steps.steps += 1;
+            reached.steps.gained += gained;
+            reached.surface = next;
+            if rounding {
                 last += 1;
                 if last == LAST_STEPS {
                     reached.valley = ValleyEnd::Rounding;
@@ -220,35 +245,17 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
                 }
                 continue;
             }
-            let gained = reached.settled.area - area;
-            if self.evenness(reached.settled.points, &x)? < floor {
-                reached.valley = ValleyEnd::Ratio;
-                return Ok(());
-            }
-            let settled = self.rules.settle(reached.settled.points, &x)?;
-            if settled.points != reached.settled.points {
-                floor = share * self.evenness(settled.points, reference)?;
-                // What the coarser rules promised is no gain if the finer ones do not see it.
-                let before = self.same_rule(reached, settled.points)?;
-                if before <= settled.area {
-                    shift *= 4.0;
-                    continue;
-                }
-            }
-            reached.steps.steps += 1;
-            reached.steps.gained += gained;
-            (reached.x, reached.settled) = (x, settled);
             if quality > 0.75 {
                 shift = (0.3 * shift).max(LEAST_SHIFT);
             } else if quality < 0.25 {
                 shift *= 4.0;
             }
-            idle = match gained > self.tolerance * area {
+            idle = match gained > self.tolerance * before {
                 true => 0,
                 // A step that was held back by the shift says nothing of what is left.
                 false => idle + usize::from(used <= TRUSTED_SHIFT),
             };
-            if idle >= IDLE + (2.0 * digits) as usize {
+            if idle >= patience {
                 reached.valley = ValleyEnd::Tolerance;
                 return Ok(());
             }
@@ -257,18 +264,19 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
     }
 
     /// One step that lowers the area, or promises no more than rounding. None if there is none.
-    fn step(&mut self, reached: &Reached, here: &Here, shift: &mut f64) -> Result<Option<Step>, MethodError> {
-        let (points, topology) = (reached.settled.points, self.rules.space.topology());
-        let cell = self.rules.cell(points)?;
+    fn step(&mut self, here: &Known, shift: &mut f64) -> Result<Option<Step>, MethodError> {
+        let (topology, all) = (self.rules.space.topology(), self.all.clone());
+        let cell = self.rules.cell(here.points)?;
         let assembly = Assembly { topology, cell: cell.as_ref() };
-        let hessians = self.all.hessians(&assembly, &here.tangents)?;
+        let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { return Ok(None) };
+        let hessians = all.hessians(&assembly, &here.tangents)?;
         let metrics = assembly.metrics(&here.tangents)?;
-        let gradient = self.all.gather(&here.gradient);
+        let gradient = all.gather(&slopes);
         self.iterations += 1;
         for _ in 0..TRIES {
             let mut matrices = hessians.clone();
-            self.all.add_metrics(topology, *shift, &metrics, &mut matrices);
-            let factor = match self.all.condensation().factor(&matrices) {
+            all.add_metrics(topology, *shift, &metrics, &mut matrices);
+            let factor = match all.condensation().factor(&matrices) {
                 Ok(factor) => factor,
                 Err(SolveError::NotPositiveDefinite { .. }) => {
                     *shift = shift.max(1e-8) * 6.0;
@@ -279,43 +287,56 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
             let mut d = gradient.clone();
             factor.solve(1, &mut d)?;
             let slope: f64 = d.iter().zip(&gradient).map(|(d, g)| d * g).sum();
-            let change = self.all.scatter(&d);
+            let change = all.scatter(&d);
             let square = assembly.metric_square(&here.tangents, &change)?;
             // −gᵀd − ½ dᵀHd with Hd = −g − λKd.
             let predicted = 0.5 * (slope + *shift * square);
-            let small = predicted <= ROUNDING * reached.settled.area;
+            let small = predicted <= ROUNDING * here.area();
             if small && *shift != LAST_SHIFT {
                 *shift = LAST_SHIFT;
                 continue;
             }
-            let mut x: Vec<Point> = reached.x.iter().zip(&change).map(|(&x, &d)| x - d).collect();
-            let mut area = self.rules.fine_area(points, &x)?;
+            let mut x = less(&here.x, &change);
+            let mut fine = self.rules.fine(here.points, &x)?;
             self.evaluations += 1;
-            // A step along the curved valley leaves its floor; the same system leads back, and on.
-            for _ in 0..if small { 0 } else { CORRECTED } {
-                let Some(slopes) = defined(assembly.gradient(&assembly.tangents(&x)))? else { break };
-                let mut d = self.all.gather(&slopes);
-                factor.solve(1, &mut d)?;
-                let next: Vec<Point> = x.iter().zip(self.all.scatter(&d)).map(|(&x, d)| x - d).collect();
-                let lower = self.rules.fine_area(points, &next)?;
-                self.evaluations += 1;
-                let gained = area - lower;
-                if gained.is_nan() || gained <= ROUNDING * area {
-                    break;
-                }
-                let so_far = reached.settled.area - area;
-                (x, area) = (next, lower);
-                if gained < 0.1 * so_far {
-                    break;
-                }
+            if !small {
+                (x, fine) = self.corrected(&assembly, &factor, here, (x, fine))?;
             }
-            let quality = (reached.settled.area - area) / predicted;
-            if quality > 1e-4 || small && area <= reached.settled.area * (1.0 + ROUNDING) {
-                return Ok(Some(Step { x, area, predicted, quality }));
+            let quality = (here.area() - fine.area) / predicted;
+            if quality > 1e-4 || small && fine.area <= here.area() * (1.0 + ROUNDING) {
+                return Ok(Some(Step { x, fine, predicted, quality }));
             }
             *shift = shift.max(1e-8) * 5.0;
         }
         Ok(None)
+    }
+
+    /// A step along the curved valley leaves its floor; the same system leads back, and on.
+    fn corrected(
+        &mut self,
+        assembly: &Assembly<'_>,
+        factor: &Condensed<'_>,
+        here: &Known,
+        (mut x, mut fine): (Vec<Point>, Fine),
+    ) -> Result<(Vec<Point>, Fine), MethodError> {
+        for _ in 0..CORRECTED {
+            let Some(slopes) = defined(assembly.gradient(&assembly.tangents(&x)))? else { break };
+            let mut d = self.all.gather(&slopes);
+            factor.solve(1, &mut d)?;
+            let next = less(&x, &self.all.scatter(&d));
+            let lower = self.rules.fine(here.points, &next)?;
+            self.evaluations += 1;
+            let gained = fine.area - lower.area;
+            if gained.is_nan() || gained <= ROUNDING * fine.area {
+                break;
+            }
+            let so_far = here.area() - fine.area;
+            (x, fine) = (next, lower);
+            if gained < CORRECTED_GAIN * so_far {
+                break;
+            }
+        }
+        Ok((x, fine))
     }
 
     /// How the nodes move along the normals of the surface: where several cells meet along the direction closest to all of
@@ -344,31 +365,28 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
     /// Newton steps along the normals, refreshed each time, to a gradient that is rounding.
     fn normal_steps(&mut self, reached: &mut Reached) -> Result<(), MethodError> {
         let topology = self.rules.space.topology();
+        let enough = (NORMAL_GAIN * self.tolerance).max(1e-2 * ROUNDING);
         let mut shift = 0.0;
         reached.end = AreaEnd::Budget;
         for _ in 0..NORMAL_STEPS {
             self.watch(reached)?;
-            let Some(here) = self.here(reached)? else {
+            let unknowns = Unknowns::new(topology, self.normals(&reached.surface.x)?)?;
+            let Some(step) = self.normal_step(&reached.surface, &unknowns, &mut shift)? else {
                 reached.end = AreaEnd::Rough;
                 return Ok(());
             };
-            let unknowns = Unknowns::new(topology, self.normals(&reached.x)?)?;
-            let Some((x, area, predicted)) = self.normal_step(reached, &here, &unknowns, &mut shift)? else {
-                reached.end = AreaEnd::Rough;
-                return Ok(());
-            };
-            let gained = reached.settled.area - area;
-            let settled = self.rules.settle(reached.settled.points, &x)?;
-            if settled.points != reached.settled.points
-                && self.same_rule(reached, settled.points)? * (1.0 + ROUNDING) < settled.area
-            {
+            let next = self.rules.known(reached.surface.points, step.x, step.fine)?;
+            let next = self.rules.settle(next)?;
+            self.move_rule(reached, next.points)?;
+            let (before, after) = (reached.surface.area(), next.area());
+            if after > before * (1.0 + ROUNDING) {
                 continue;
             }
             reached.normal_steps.steps += 1;
-            reached.normal_steps.gained += gained;
-            (reached.x, reached.settled) = (x, settled);
+            reached.normal_steps.gained += before - after;
+            reached.surface = next;
             // The next step would be the square of this one.
-            if predicted <= 1e-2 * ROUNDING * reached.settled.area && shift == 0.0 {
+            if step.predicted <= enough * after && shift == 0.0 {
                 reached.end = AreaEnd::Stationary;
                 return Ok(());
             }
@@ -376,20 +394,20 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         Ok(())
     }
 
-    /// One Newton step along the normals: where it leads, the area there, the decrease predicted. The Dirichlet product is
-    /// added only if the Hessian is indefinite or the step enlarges the area.
+    /// One Newton step along the normals. The Dirichlet product is added only if the Hessian is indefinite or the step
+    /// enlarges the area.
     fn normal_step(
         &mut self,
-        reached: &Reached,
-        here: &Here,
+        here: &Known,
         unknowns: &Unknowns,
         shift: &mut f64,
-    ) -> Result<Option<(Vec<Point>, f64, f64)>, MethodError> {
-        let (points, topology) = (reached.settled.points, self.rules.space.topology());
-        let cell = self.rules.cell(points)?;
+    ) -> Result<Option<Step>, MethodError> {
+        let topology = self.rules.space.topology();
+        let cell = self.rules.cell(here.points)?;
         let assembly = Assembly { topology, cell: cell.as_ref() };
+        let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { return Ok(None) };
         let hessians = unknowns.hessians(&assembly, &here.tangents)?;
-        let gradient = unknowns.gather(&here.gradient);
+        let gradient = unknowns.gather(&slopes);
         self.iterations += 1;
         let mut metrics = None;
         for _ in 0..TRIES {
@@ -411,13 +429,13 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
                 Err(error) => return Err(error.into()),
             }
             let predicted = 0.5 * d.iter().zip(&gradient).map(|(d, g)| d * g).sum::<f64>();
-            let change = unknowns.scatter(&d);
-            let x: Vec<Point> = reached.x.iter().zip(&change).map(|(&x, &d)| x - d).collect();
-            let area = self.rules.fine_area(points, &x)?;
+            let x = less(&here.x, &unknowns.scatter(&d));
+            let fine = self.rules.fine(here.points, &x)?;
             self.evaluations += 1;
-            if area <= reached.settled.area * (1.0 + ROUNDING) {
+            if fine.area <= here.area() * (1.0 + ROUNDING) {
                 *shift = if *shift > 1e-6 { 0.1 * *shift } else { 0.0 };
-                return Ok(Some((x, area, predicted)));
+                let quality = (here.area() - fine.area) / predicted;
+                return Ok(Some(Step { x, fine, predicted, quality }));
             }
             *shift = (5.0 * *shift).max(1e-3);
         }
@@ -475,10 +493,15 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         self.progress.tell(&format!(
             "(step {}: area {:.9})",
             self.iterations,
-            reached.settled.area * unit * unit
+            reached.surface.area() * unit * unit
         ));
         Ok(())
     }
+}
+
+/// `x − d`.
+fn less(x: &[Point], d: &[Point]) -> Vec<Point> {
+    x.iter().zip(d).map(|(&x, &d)| x - d).collect()
 }
 
 /// None where the surface is singular at a point of the rule: it has no gradient there.

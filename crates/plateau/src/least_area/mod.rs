@@ -49,6 +49,9 @@ const HALVINGS: usize = 6;
 /// is more.
 const RESOLVED: f64 = 1e-9;
 
+/// The form of the Dirichlet energy over the unit square.
+const SQUARES: [f64; 3] = [1.0, 0.0, 1.0];
+
 /// An area below this share of the Dirichlet energy is rounding.
 const NO_AREA: f64 = 1e-12;
 
@@ -154,7 +157,10 @@ fn minimise<S: Space>(
         from = Start::Dirichlet;
     }
     let reference = start.clone();
-    let at_hand = starts.iter().map(|surface| space.nodes(surface)).collect::<Result<Vec<_>, _>>()?;
+    let mut at_hand = starts.iter().map(|surface| space.nodes(surface)).collect::<Result<Vec<_>, _>>()?;
+    if form.is_none() && lower.is_none() {
+        at_hand.push(descent.dirichlet(&start, SQUARES)?);
+    }
     if let Some(lower) = lower {
         (start, from) = (space.nodes(lower)?, Start::AtHand);
     }
@@ -167,29 +173,29 @@ fn minimise<S: Space>(
         }
     }
     descent.check(&start)?;
-    let mut best = descent.run(start, &reference)?;
+    let mut best = descent.run(start, &reference, lower.is_some())?;
     for x in at_hand {
         let (area, _) = descent.judge(&x)?;
-        if area < best.settled.area * (1.0 - LOWER) {
-            let other = descent.run(x, &reference)?;
-            if other.settled.area < best.settled.area {
+        if area < best.surface.area() * (1.0 - LOWER) {
+            let other = descent.run(x, &reference, false)?;
+            if other.surface.area() < best.surface.area() {
                 (best, least, from) = (other, area, Start::AtHand);
             }
         }
     }
-    descent.check_area(&best.x)?;
-    let mut variation = descent.variation(&best.x, best.settled.points)?;
+    descent.check_area(&best.surface.x)?;
+    let mut variation = descent.variation(&best.surface.x, best.surface.points)?;
     let mut left_saddle = false;
     for _ in 0..SADDLES {
         let Some(negative) = variation.as_ref().filter(|v| v.smallest < -UNSTABLE) else { break };
         let Some(lower) = leave_saddle(&mut descent, &best, negative, &reference)? else { break };
-        variation = descent.variation(&lower.x, lower.settled.points)?;
+        variation = descent.variation(&lower.surface.x, lower.surface.points)?;
         (best, left_saddle) = (lower, true);
     }
-    let gradients = descent.gradients(&best.x, best.settled.points)?;
+    let gradients = descent.gradients(&best.surface.x, best.surface.points)?;
     let found = extremal(&descent, &best, least, gradients, variation.map(|v| v.smallest), left_saddle);
-    let jacobian_ratio = descent.judge(&best.x)?.1;
-    Ok((space.surface(&best.x)?, AreaExtremal { from, jacobian_ratio, ..found }))
+    let jacobian_ratio = best.surface.fine.evenness;
+    Ok((space.surface(&best.surface.x)?, AreaExtremal { from, jacobian_ratio, ..found }))
 }
 
 /// The lower of the two surfaces that a saddle leads to along its negative direction; none if neither is lower than it.
@@ -199,25 +205,26 @@ fn leave_saddle<S: Space>(
     variation: &Variation,
     reference: &[Point],
 ) -> Result<Option<Reached>, MethodError> {
-    let normals = descent.normals(&saddle.x)?;
-    let mut directions = vec![Point::ZERO; saddle.x.len()];
-    let free = (0..saddle.x.len()).filter(|&node| !descent.rules.space.topology().fixed[node]);
+    let normals = descent.normals(&saddle.surface.x)?;
+    let mut directions = vec![Point::ZERO; saddle.surface.x.len()];
+    let free = (0..saddle.surface.x.len()).filter(|&node| !descent.rules.space.topology().fixed[node]);
     for (node, f) in free.zip(&variation.displacement) {
         if let [normal] = normals[node].directions() {
             directions[node] = *normal * *f;
         }
     }
     let largest = directions.iter().map(|d| d.norm()).fold(0.0, f64::max);
-    let (area, points) = (saddle.settled.area, saddle.settled.points);
+    let (area, points) = (saddle.surface.area(), saddle.surface.points);
     let mut lowest: Option<Reached> = None;
     for side in [1.0, -1.0] {
         let mut step = side * LEAVE * area.sqrt() / largest;
         for _ in 0..HALVINGS {
-            let x: Vec<Point> = saddle.x.iter().zip(&directions).map(|(&x, &d)| x + d * step).collect();
-            if descent.rules.settle(points, &x)?.area < area {
-                let reached = descent.run(x, reference)?;
-                let bound = lowest.as_ref().map_or(area * (1.0 - LOWER), |lowest| lowest.settled.area);
-                if reached.settled.area < bound {
+            let x: Vec<Point> =
+                saddle.surface.x.iter().zip(&directions).map(|(&x, &d)| x + d * step).collect();
+            if descent.rules.fine(points, &x)?.area < area {
+                let reached = descent.run(x, reference, false)?;
+                let bound = lowest.as_ref().map_or(area * (1.0 - LOWER), |lowest| lowest.surface.area());
+                if reached.surface.area() < bound {
                     lowest = Some(reached);
                 }
                 break;
@@ -239,13 +246,13 @@ fn extremal<S: Space>(
 ) -> AreaExtremal {
     let square = descent.rules.space.frame().unit().powi(2);
     let stage = |stage: Stage| Stage { gained: stage.gained * square, ..stage };
-    let settled = reached.settled;
+    let surface = &reached.surface;
     AreaExtremal {
         area: Integral {
-            value: settled.area * square,
-            error: (settled.error + 64.0 * f64::EPSILON * settled.area) * square,
-            points: settled.points,
-            settled: settled.error <= RESOLVED.max(0.1 * descent.tolerance) * settled.area,
+            value: surface.area() * square,
+            error: (surface.error + 64.0 * f64::EPSILON * surface.area()) * square,
+            points: surface.points,
+            settled: surface.error <= RESOLVED.max(0.1 * descent.tolerance) * surface.area(),
         },
         start: start * square,
         from: Start::Coons,
@@ -268,10 +275,8 @@ fn extremal<S: Space>(
 impl<S: Space> Descent<'_, '_, S> {
     /// The area of a surface and the least over the mean of its density.
     fn judge(&mut self, x: &[Point]) -> Result<(f64, f64), MethodError> {
-        let settled = self.rules.settle(self.rules.first(), x)?;
-        let cell = self.rules.cell(settled.points)?;
-        let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
-        Ok((settled.area, assembly.jacobian_ratio(&assembly.tangents(x))))
+        let fine = self.rules.settled(x.to_vec())?.fine;
+        Ok((fine.area, fine.evenness))
     }
 
     /// That a surface has a normal at the points of the first rule.

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use energy::Cell;
 use surfaces::Point;
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, Tangents};
 use super::space::Space;
 use crate::MethodError;
 
@@ -14,36 +14,57 @@ use crate::MethodError;
 pub(super) struct Rules<'a, S: Space> {
     pub(super) space: &'a S,
     cells: BTreeMap<usize, Rc<dyn Cell>>,
+    settled: f64,
 }
 
-/// Relative change of the area by the finer rule at which a rule is fine enough: steps in all coordinates exploit what a rule
-/// misses, so that it must be far below what they are to gain.
-const SETTLED: f64 = 1e-13;
+/// Relative change of the area by the finer rule at which a rule is fine enough, as a share of the tolerance: steps in all
+/// coordinates exploit what a rule misses, so that it must be far below what they are to gain.
+const SETTLED: f64 = 1e-3;
+const ROUNDING: f64 = 1e-13;
 
 /// Points of the first rule beyond the degree.
 const FIRST: usize = 4;
 
 /// The rule is not made larger than this times the degree, nor than [`LARGEST`].
-const MOST_OF_DEGREE: usize = 8;
-const LEAST_LARGEST: usize = 32;
+const MOST_OF_DEGREE: usize = 20;
+const LEAST_LARGEST: usize = 64;
 const LARGEST: usize = 160;
 
-/// The area by a rule and a finer one.
+/// What a finer rule says of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Settled {
+pub(super) struct Fine {
+    pub(super) area: f64,
+    /// The least over the mean of the area density.
+    pub(super) evenness: f64,
+}
+
+/// A surface at a rule and a finer one.
+#[derive(Debug, Clone)]
+pub(super) struct Known {
+    /// Its points at the nodes.
+    pub(super) x: Vec<Point>,
     /// Points of the rule in each direction.
     pub(super) points: usize,
-    /// The area by the finer rule.
-    pub(super) area: f64,
-    /// How far the two are apart.
+    /// Its tangents at them.
+    pub(super) tangents: Tangents,
+    /// What the finer rule says.
+    pub(super) fine: Fine,
+    /// How far the areas by the two are apart.
     pub(super) error: f64,
     /// Whether that is rounding, or nearly.
     pub(super) settled: bool,
 }
 
+impl Known {
+    pub(super) fn area(&self) -> f64 {
+        self.fine.area
+    }
+}
+
 impl<'a, S: Space> Rules<'a, S> {
-    pub(super) fn new(space: &'a S) -> Self {
-        Self { space, cells: BTreeMap::new() }
+    /// Rules for steps that gain no less than `tolerance`.
+    pub(super) fn new(space: &'a S, tolerance: f64) -> Self {
+        Self { space, cells: BTreeMap::new(), settled: (SETTLED * tolerance).max(ROUNDING) }
     }
 
     pub(super) fn first(&self) -> usize {
@@ -67,29 +88,42 @@ impl<'a, S: Space> Rules<'a, S> {
         points + (points / 2).max(4)
     }
 
-    /// The area by the finer of two rules.
-    pub(super) fn fine_area(&mut self, points: usize, x: &[Point]) -> Result<f64, MethodError> {
+    /// What the finer of two rules says.
+    pub(super) fn fine(&mut self, points: usize, x: &[Point]) -> Result<Fine, MethodError> {
         let cell = self.cell(Self::finer(points))?;
-        Ok(Assembly { topology: self.space.topology(), cell: cell.as_ref() }.area(x))
+        let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
+        let tangents = assembly.tangents(x);
+        Ok(Fine { area: assembly.area_of(&tangents), evenness: assembly.jacobian_ratio(&tangents) })
     }
 
-    /// The area by a rule and by the finer one.
-    pub(super) fn compare(&mut self, points: usize, x: &[Point]) -> Result<Settled, MethodError> {
+    /// A surface of which the finer rule has said this.
+    pub(super) fn known(&mut self, points: usize, x: Vec<Point>, fine: Fine) -> Result<Known, MethodError> {
         let cell = self.cell(points)?;
-        let coarse = Assembly { topology: self.space.topology(), cell: cell.as_ref() }.area(x);
-        let area = self.fine_area(points, x)?;
-        let error = (coarse - area).abs();
-        Ok(Settled { points, area, error, settled: error <= SETTLED * area })
+        let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
+        let tangents = assembly.tangents(&x);
+        let error = (assembly.area_of(&tangents) - fine.area).abs();
+        let settled = error <= self.settled * fine.area;
+        Ok(Known { x, points, tangents, fine, error, settled })
     }
 
-    /// The smallest rule from `points` on by which the area of a surface has settled; the largest if none.
-    pub(super) fn settle(&mut self, mut points: usize, x: &[Point]) -> Result<Settled, MethodError> {
-        loop {
-            let compared = self.compare(points, x)?;
-            if compared.settled || points >= self.largest() {
-                return Ok(compared);
-            }
-            points = (points + (points / 4).max(2)).min(self.largest());
+    /// A surface at a rule.
+    pub(super) fn at(&mut self, points: usize, x: Vec<Point>) -> Result<Known, MethodError> {
+        let fine = self.fine(points, &x)?;
+        self.known(points, x, fine)
+    }
+
+    /// The surface at the smallest rule from its own on by which its area has settled; at the largest if there is none.
+    pub(super) fn settle(&mut self, mut known: Known) -> Result<Known, MethodError> {
+        while !known.settled && known.points < self.largest() {
+            let points = (known.points + (known.points / 4).max(2)).min(self.largest());
+            known = self.at(points, known.x)?;
         }
+        Ok(known)
+    }
+
+    /// The surface at the smallest rule by which its area has settled.
+    pub(super) fn settled(&mut self, x: Vec<Point>) -> Result<Known, MethodError> {
+        let known = self.at(self.first(), x)?;
+        self.settle(known)
     }
 }

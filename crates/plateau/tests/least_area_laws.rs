@@ -1,0 +1,189 @@
+//! Laws of least areas over random frames: never above another surface at hand, never enlarged by raising, the same however
+//! the frame lies. `LAWS=1000 cargo test --release --test least_area_laws -- --nocapture` runs as many frames.
+
+mod frames;
+
+use energy::{Functional, MetricForm, QuadraticForm, area};
+use frames::{CHANGES, Change, Kind, frame, triangle};
+use plateau::{AreaExtremal, Figures, least_area, least_area_raised, least_area_triangle};
+use solve::{Partition, solve_partitioned};
+use surfaces::{Mesh, Net, Patch, TensorPatch, TrianglePatch, discrete_coons};
+
+const DEFAULT: f64 = 1e-10;
+
+/// Least over mean area density below which figures of the parametrisation are said to be unsure.
+const UNEVEN: f64 = 0.01;
+
+fn count(modest: u64) -> u64 {
+    std::env::var("LAWS").ok().and_then(|n| n.parse().ok()).unwrap_or(modest)
+}
+
+fn least(net: &Net) -> (TensorPatch, AreaExtremal) {
+    least_area(&TensorPatch::bernstein(net.clone()).unwrap(), DEFAULT, &()).unwrap()
+}
+
+/// The areas of other surfaces over the same border.
+fn others(net: &Net) -> Vec<(&'static str, f64)> {
+    let patch = TensorPatch::bernstein(net.clone()).unwrap();
+    let extremal = |matrix: &bases::Matrix| {
+        let x = solve_partitioned(
+            matrix.rows(),
+            matrix.as_slice(),
+            &Partition::new(net.fixed()),
+            3,
+            &net.coordinates(),
+        );
+        patch.with_net(net.with_coordinates(&x.unwrap().x).unwrap()).unwrap()
+    };
+    let area = |patch: &TensorPatch| area(patch).unwrap().value;
+    let mut rows = Vec::new();
+    for (name, functional) in [
+        ("Dirichlet", Functional::Dirichlet),
+        ("bending", Functional::Bending),
+        ("Laplacian", Functional::Laplacian),
+    ] {
+        let patch = extremal(&QuadraticForm::of(functional, &patch).unwrap().matrix());
+        rows.push((name, area(&patch)));
+        if functional == Functional::Dirichlet
+            && let Ok(metric) = MetricForm::of_tensor(&patch, &patch)
+        {
+            rows.push(("metric", area(&extremal(metric.form.matrix()))));
+        }
+    }
+    let [u0, u1, v0, v1] = net.boundary();
+    let coons = discrete_coons(&u0, &u1, &v0, &v1).unwrap();
+    rows.push(("Coons", area(&TensorPatch::bernstein(coons).unwrap())));
+    rows
+}
+
+#[test]
+fn no_surface_at_hand_has_less_area() {
+    let (mut above, mut tried) = (Vec::new(), 0);
+    for seed in 0..count(25) {
+        let (kind, net) = frame(seed);
+        let (_, found) = least(&net);
+        tried += 1;
+        for (name, area) in others(&net) {
+            let excess = found.area.value / area - 1.0;
+            if excess > 1e-9 {
+                above.push(format!(
+                    "{seed} {kind:?} {:?}: {excess:.1e} above {name}; {found:?}",
+                    net.degrees()
+                ));
+            }
+        }
+        let unsettled = !found.area.settled && !matches!(kind, Kind::Steep);
+        if unsettled {
+            above.push(format!("{seed} {kind:?} {:?}: unsettled; {found:?}", net.degrees()));
+        }
+    }
+    assert!(above.is_empty(), "{} of {tried}:\n{}", above.len(), above.join("\n"));
+}
+
+#[test]
+fn raising_never_enlarges() {
+    let mut enlarged = Vec::new();
+    for seed in 0..count(3) {
+        let (kind, net) = frame(seed);
+        let mut last = f64::INFINITY;
+        for raise in 0..=if std::env::var("LAWS").is_ok() { 6 } else { 3 } {
+            let (_, found) = least_area_raised(&net, raise, &[], DEFAULT, &()).unwrap();
+            if found.area.value > last * (1.0 + 1e-9) {
+                enlarged.push(format!(
+                    "{seed} {kind:?} {:?} +{raise}: {:.1e}",
+                    net.degrees(),
+                    found.area.value / last - 1.0
+                ));
+            }
+            last = found.area.value;
+        }
+    }
+    assert!(enlarged.is_empty(), "{}", enlarged.join("\n"));
+}
+
+/// Area, D, bending, Laplacian defect and max |H| in the unit of the frame before it was scaled.
+fn figures(patch: &dyn Patch, scale: f64) -> [f64; 5] {
+    let mesh = Mesh::of(patch, 12);
+    let f = Figures::of(patch, &mesh).unwrap();
+    let square = scale * scale;
+    [
+        f.area.value / square,
+        f.dirichlet.value / square,
+        f.bending.value / square,
+        f.laplacian_defect.value / square,
+        f.mean_curvature_max.unwrap_or(0.0) * scale,
+    ]
+}
+
+fn compare(what: &str, change: Change, before: [f64; 5], after: [f64; 5], apart: &mut Vec<String>) {
+    let names = ["area", "D", "bending", "Laplacian defect", "max |H|"];
+    for k in 0..5 {
+        // Moved by 10⁶, nine digits of the coordinates are left: 1e-10 of the size.
+        let tolerance = match (k, change) {
+            (0, Change::Moved) => 1e-9,
+            (0, _) => 1e-10,
+            (_, Change::Moved) => 1e-4,
+            (_, _) => 1e-7,
+        };
+        // The curvature of a surface that has none but rounding is no figure, that of one which nearly folds is no sure one.
+        let floor = if k == 4 { 1e-4 } else { 0.0 };
+        let difference = (after[k] - before[k]).abs() / before[k].abs().max(floor);
+        if difference > tolerance {
+            apart.push(format!("{what} {change:?}: {} by {difference:.1e}", names[k]));
+        }
+    }
+}
+
+#[test]
+fn figures_do_not_depend_on_where_the_frame_lies() {
+    let mut apart = Vec::new();
+    for seed in 0..count(6) {
+        let (kind, net) = frame(seed);
+        let (patch, found) = least(&net);
+        if found.jacobian_ratio < UNEVEN {
+            continue;
+        }
+        let before = figures(&patch, 1.0);
+        for change in CHANGES {
+            let (patch, _) = least(&change.net(&net));
+            let after = figures(&patch, change.scale());
+            let what = format!(
+                "{seed} {kind:?} {:?} ratio {:.1e} {:?} {:?} steps {}",
+                net.degrees(),
+                found.jacobian_ratio,
+                found.valley,
+                found.end,
+                found.steps.steps
+            );
+            compare(&what, change, before, after, &mut apart);
+        }
+    }
+    assert!(apart.is_empty(), "{}:\n{}", apart.len(), apart.join("\n"));
+}
+
+#[test]
+fn figures_of_triangles_do_not_depend_on_where_the_frame_lies() {
+    let mut apart = Vec::new();
+    for seed in 0..count(6) {
+        let net = triangle(seed);
+        let least = |net| least_area_triangle(&TrianglePatch::new(net).unwrap(), DEFAULT, &()).unwrap();
+        let (patch, found) = least(net.clone());
+        let before = figures(&patch, 1.0);
+        for change in CHANGES {
+            let (patch, _) = least(change.triangle(&net));
+            let mut after = figures(&patch, change.scale());
+            if matches!(change, Change::ReversedU | Change::ReversedV | Change::Exchanged) {
+                // Energies over the right-angled triangle depend on which corner has the right angle.
+                (after[1], after[2], after[3]) = (before[1], before[2], before[3]);
+            }
+            let what = format!(
+                "{seed} degree {} ratio {:.1e} {:?}",
+                net.degree(),
+                found.jacobian_ratio,
+                found.valley
+            );
+            compare(&what, change, before, after, &mut apart);
+        }
+    }
+    assert!(apart.is_empty(), "{}:\n{}", apart.len(), apart.join("\n"));
+}
