@@ -1,5 +1,7 @@
 //! Bernstein polynomials.
 
+use std::borrow::Cow;
+
 use crate::double_double::{DoubleDouble, two_sum};
 use crate::{Basis, BasisError, Subdivision};
 
@@ -18,7 +20,7 @@ use crate::{Basis, BasisError, Subdivision};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bernstein {
-    degree: usize,
+    rows: BinomialRows,
 }
 
 impl Bernstein {
@@ -33,18 +35,18 @@ impl Bernstein {
         if degree > Self::MAX_DEGREE {
             return Err(BasisError::Degree { family: "Bernstein", degree, min: 0, max: Self::MAX_DEGREE });
         }
-        Ok(Self { degree })
+        Ok(Self { rows: BinomialRows::new(degree) })
     }
 
     /// The degree n; there are n + 1 functions.
     pub fn degree(&self) -> usize {
-        self.degree
+        self.rows.degree
     }
 }
 
 impl Basis for Bernstein {
     fn count(&self) -> usize {
-        self.degree + 1
+        self.rows.degree + 1
     }
 
     fn domain(&self) -> (f64, f64) {
@@ -53,7 +55,7 @@ impl Basis for Bernstein {
 
     fn evaluate_into(&self, t: f64, order: usize, out: &mut [f64]) {
         assert_eq!(out.len(), (order + 1) * self.count(), "length of the output");
-        fill(self.degree, t, order, out);
+        fill(&self.rows, t, order, out);
     }
 
     fn subdivide(&self, t: f64) -> Result<Subdivision, BasisError> {
@@ -64,10 +66,20 @@ impl Basis for Bernstein {
 /// Fills `out[r (n+1) + k] = B^{(r)}_{k,n}(t)` for r = 0 … order.
 ///
 /// `B^{(r)}_{k,n} = n!/(n−r)! Σ_j (−1)^{r−j} C(r,j) B_{k−j,n−r}`.
-pub(crate) fn fill(n: usize, t: f64, order: usize, out: &mut [f64]) {
-    let rest = two_sum(1.0, -t);
-    let left = powers(DoubleDouble::from(t), n);
-    let right = powers(rest, n);
+pub(crate) fn fill(rows: &BinomialRows, t: f64, order: usize, out: &mut [f64]) {
+    let n = rows.degree;
+    // Nothing is allocated at the degrees of patches: they are evaluated at very many points.
+    let (mut small, mut large) = ([[DoubleDouble::ZERO; SMALL]; 2], [Vec::new(), Vec::new()]);
+    let [left, right] = if n < SMALL {
+        small.each_mut().map(|row| &mut row[..=n])
+    } else {
+        large.each_mut().map(|row| {
+            row.resize(n + 1, DoubleDouble::ZERO);
+            &mut row[..]
+        })
+    };
+    powers(DoubleDouble::from(t), left);
+    powers(two_sum(1.0, -t), right);
     for r in 0..=order {
         let row = &mut out[r * (n + 1)..(r + 1) * (n + 1)];
         row.fill(0.0);
@@ -75,27 +87,55 @@ pub(crate) fn fill(n: usize, t: f64, order: usize, out: &mut [f64]) {
             continue;
         }
         let factor: f64 = (0..r).map(|i| (n - i) as f64).product();
-        let (low, change) = (binomials(n - r), binomials(r));
-        for (k, c) in low.iter().enumerate() {
+        for (k, c) in rows.row(r).iter().enumerate() {
             let (p, q) = (left[k], right[n - r - k]);
             let b = factor * (c * (p.hi * q.hi) + c * (p.lo * q.hi + p.hi * q.lo));
-            for (j, d) in change.iter().enumerate() {
-                let sign = if (r - j).is_multiple_of(2) { 1.0 } else { -1.0 };
-                row[k + j] += sign * d * b;
+            // (−1)^{r−j} C(r, j), exact.
+            let mut change = if r.is_multiple_of(2) { 1.0 } else { -1.0 };
+            for j in 0..=r {
+                row[k + j] += change * b;
+                change *= -((r - j) as f64);
+                change /= (j + 1) as f64;
             }
         }
     }
 }
 
-/// `x⁰ … xⁿ` with their rounding errors.
-fn powers(x: DoubleDouble, n: usize) -> Vec<DoubleDouble> {
-    let mut powers = Vec::with_capacity(n + 1);
+/// Powers of at most this many exponents stand on the stack.
+const SMALL: usize = 65;
+
+/// `x⁰, x¹, …` with their rounding errors.
+fn powers(x: DoubleDouble, out: &mut [DoubleDouble]) {
     let mut p = DoubleDouble::from(1.0);
-    for _ in 0..=n {
-        powers.push(p);
+    for power in out {
+        *power = p;
         p = p * x;
     }
-    powers
+}
+
+/// The binomials of a degree and of the two below it, which derivatives to order 2 need.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct BinomialRows {
+    degree: usize,
+    rows: [Vec<f64>; 3],
+}
+
+impl BinomialRows {
+    pub(crate) fn new(degree: usize) -> Self {
+        Self { degree, rows: [0, 1, 2].map(|r| binomials(degree.saturating_sub(r))) }
+    }
+
+    pub(crate) fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// C(n − r, k) for k = 0 … n − r, r at most n.
+    fn row(&self, r: usize) -> Cow<'_, [f64]> {
+        match self.rows.get(r) {
+            Some(row) => Cow::Borrowed(row),
+            None => Cow::Owned(binomials(self.degree - r)),
+        }
+    }
 }
 
 /// The binomial coefficients C(n, 0) … C(n, n), each correctly rounded or within one ulp.

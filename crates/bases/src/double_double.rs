@@ -12,6 +12,10 @@ pub(crate) struct DoubleDouble {
     pub(crate) lo: f64,
 }
 
+impl DoubleDouble {
+    pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+}
+
 /// `a + b` as rounded sum and exact error (Knuth).
 pub(crate) fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::bernstein::{self, binomials};
+use crate::bernstein::{self, BinomialRows, binomials};
 use crate::{Basis, BasisError, Matrix};
 
 const MAX_DEGREE: usize = 1000;
@@ -26,6 +26,8 @@ const MAX_DEGREE: usize = 1000;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gt {
     degree: usize,
+    /// Of degree n − 2.
+    rows: BinomialRows,
     shape: [f64; 2],
 }
 
@@ -45,7 +47,7 @@ impl Gt {
         if shape == [0.0, 0.0] {
             return Err(BasisError::Dependent);
         }
-        Ok(Self { degree, shape })
+        Ok(Self { degree, rows: BinomialRows::new(degree - 2), shape })
     }
 
     /// The degree n; there are n + 1 functions.
@@ -71,7 +73,7 @@ impl Basis for Gt {
     fn evaluate_into(&self, t: f64, order: usize, out: &mut [f64]) {
         assert_eq!(out.len(), (order + 1) * self.count(), "length of the output");
         let seed = quadratic(t, self.shape, order);
-        raise(self.degree, t, order, &seed, out);
+        raise(&self.rows, t, order, &seed, out);
     }
 }
 
@@ -83,6 +85,8 @@ impl Basis for Gt {
 #[derive(Debug, Clone, PartialEq)]
 pub struct GtParts {
     degree: usize,
+    /// Of degree n − 2.
+    rows: BinomialRows,
 }
 
 impl GtParts {
@@ -92,7 +96,7 @@ impl GtParts {
     /// [`BasisError::Degree`] below 2 or above 1000.
     pub fn new(degree: usize) -> Result<Self, BasisError> {
         check_degree(degree)?;
-        Ok(Self { degree })
+        Ok(Self { degree, rows: BinomialRows::new(degree - 2) })
     }
 }
 
@@ -120,7 +124,7 @@ impl Basis for GtParts {
                     *s -= o;
                 }
             }
-            raise(n, t, order, &seed, part.as_mut_slice());
+            raise(&self.rows, t, order, &seed, part.as_mut_slice());
             for r in 0..=order {
                 out[r * count + p * (n + 1)..][..n + 1].copy_from_slice(part.row(r));
             }
@@ -169,10 +173,10 @@ pub(crate) fn quadratic(t: f64, [t1, t2]: [f64; 2], order: usize) -> Matrix {
 
 /// `G^{(r)}_{k,n} = Σ_q C(r,q) Σ_j B^{(r−q)}_{k−j,n−2} G^{(q)}_{j,2}`; the outer functions are added before the middle one,
 /// so that reversal keeps every bit.
-fn raise(n: usize, t: f64, order: usize, seed: &Matrix, out: &mut [f64]) {
-    let m = n - 2;
+fn raise(rows: &BinomialRows, t: f64, order: usize, seed: &Matrix, out: &mut [f64]) {
+    let (m, n) = (rows.degree(), rows.degree() + 2);
     let mut bernstein = Matrix::zeros(order + 1, m + 1);
-    bernstein::fill(m, t, order, bernstein.as_mut_slice());
+    bernstein::fill(rows, t, order, bernstein.as_mut_slice());
     out.fill(0.0);
     for r in 0..=order {
         let row = &mut out[r * (n + 1)..(r + 1) * (n + 1)];

@@ -28,6 +28,17 @@ pub trait Patch: Send + Sync {
         us.iter().flat_map(|&u| vs.iter().map(move |&v| (u, v))).map(|(u, v)| self.jet(u, v)).collect()
     }
 
+    /// The points at scattered parameters (u, v), in their order: those of [`Self::point`], bit for bit. Patches on nets allocate
+    /// nothing for each of them.
+    fn points_at(&self, parameters: &[[f64; 2]]) -> Vec<Point> {
+        parameters.iter().map(|&[u, v]| self.point(u, v)).collect()
+    }
+
+    /// The jets at scattered parameters (u, v), in their order: those of [`Self::jet`], bit for bit.
+    fn jets_at(&self, parameters: &[[f64; 2]]) -> Vec<Jet> {
+        parameters.iter().map(|&[u, v]| self.jet(u, v)).collect()
+    }
+
     /// How many terms are summed for each jet of a grid: what bounds the work of a quadrature. 1 where the variables separate,
     /// so that a jet of a grid costs little.
     fn terms(&self) -> usize {

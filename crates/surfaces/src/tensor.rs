@@ -109,34 +109,85 @@ impl Patch for TensorPatch {
     }
 
     fn jets(&self, us: &[f64], vs: &[f64]) -> Vec<Jet> {
-        let (rows, cols) = (self.net.rows(), self.net.cols());
         let mut jets = vec![Jet::default(); us.len() * vs.len()];
+        let mut curves = vec![Point::ZERO; 3 * self.net.cols()];
         for product in &self.products {
             let v_tables: Vec<Matrix> = vs.iter().map(|&v| product.v.evaluate(v, 2)).collect();
             for (a, &u) in us.iter().enumerate() {
-                let f = product.u.evaluate(u, 2);
-                // The net contracted in u: for each derivative order one curve in v.
-                let mut curves = [vec![Point::ZERO; cols], vec![Point::ZERO; cols], vec![Point::ZERO; cols]];
-                for (r, curve) in curves.iter_mut().enumerate() {
-                    for i in 0..rows {
-                        for j in 0..cols {
-                            curve[j] += self.net.point(i, j) * f[(r, i)];
-                        }
-                    }
-                }
+                self.contract(product.u.evaluate(u, 2).as_slice(), &mut curves);
                 for (b, g) in v_tables.iter().enumerate() {
-                    let jet = &mut jets[a * vs.len() + b];
-                    for j in 0..cols {
-                        jet.point += curves[0][j] * g[(0, j)];
-                        jet.u += curves[1][j] * g[(0, j)];
-                        jet.v += curves[0][j] * g[(1, j)];
-                        jet.uu += curves[2][j] * g[(0, j)];
-                        jet.uv += curves[1][j] * g[(1, j)];
-                        jet.vv += curves[0][j] * g[(2, j)];
-                    }
+                    add_jet(&mut jets[a * vs.len() + b], &curves, g.as_slice());
                 }
             }
         }
         jets
+    }
+
+    fn point(&self, u: f64, v: f64) -> Point {
+        self.points_at(&[[u, v]])[0]
+    }
+
+    fn points_at(&self, parameters: &[[f64; 2]]) -> Vec<Point> {
+        let (rows, cols) = (self.net.rows(), self.net.cols());
+        let mut points = vec![Point::ZERO; parameters.len()];
+        let (mut f, mut g) = (vec![0.0; rows], vec![0.0; cols]);
+        let mut curve = vec![Point::ZERO; cols];
+        for product in &self.products {
+            for (point, &[u, v]) in points.iter_mut().zip(parameters) {
+                product.u.evaluate_into(u, 0, &mut f);
+                product.v.evaluate_into(v, 0, &mut g);
+                self.contract(&f, &mut curve);
+                for (&p, &g) in curve.iter().zip(&g) {
+                    *point += p * g;
+                }
+            }
+        }
+        points
+    }
+
+    fn jets_at(&self, parameters: &[[f64; 2]]) -> Vec<Jet> {
+        let (rows, cols) = (self.net.rows(), self.net.cols());
+        let mut jets = vec![Jet::default(); parameters.len()];
+        let (mut f, mut g) = (vec![0.0; 3 * rows], vec![0.0; 3 * cols]);
+        let mut curves = vec![Point::ZERO; 3 * cols];
+        for product in &self.products {
+            for (jet, &[u, v]) in jets.iter_mut().zip(parameters) {
+                product.u.evaluate_into(u, 2, &mut f);
+                product.v.evaluate_into(v, 2, &mut g);
+                self.contract(&f, &mut curves);
+                add_jet(jet, &curves, &g);
+            }
+        }
+        jets
+    }
+}
+
+impl TensorPatch {
+    /// The net contracted in u: for each order of derivatives in `f` one curve in v, `Σ_i f_i^{(r)} P_ij`.
+    fn contract(&self, f: &[f64], curves: &mut [Point]) {
+        let (rows, cols) = (self.net.rows(), self.net.cols());
+        curves.fill(Point::ZERO);
+        for (curve, f) in curves.chunks_exact_mut(cols).zip(f.chunks_exact(rows)) {
+            for (row, &f) in self.net.points().chunks_exact(cols).zip(f) {
+                for (sum, &p) in curve.iter_mut().zip(row) {
+                    *sum += p * f;
+                }
+            }
+        }
+    }
+}
+
+/// Adds one product at one point: `curves` are those of the orders 0, 1, 2 in u, `g` the functions in v and their derivatives.
+fn add_jet(jet: &mut Jet, curves: &[Point], g: &[f64]) {
+    let cols = curves.len() / 3;
+    let ([c0, c1, c2], [g0, g1, g2]) =
+        ([0, 1, 2].map(|r| &curves[r * cols..][..cols]), [0, 1, 2].map(|r| &g[r * cols..][..cols]));
+    for j in 0..cols {
+        jet.point += c0[j] * g0[j];
+        jet.u += c1[j] * g0[j];
+        jet.v += c0[j] * g1[j];
+        jet.uu += c2[j] * g0[j];
+        jet.uv += c1[j] * g1[j];
+        jet.vv += c0[j] * g2[j];
     }
 }

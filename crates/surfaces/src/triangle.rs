@@ -89,9 +89,7 @@ impl Patch for TrianglePatch {
             return Jet { point: nan, u: nan, v: nan, uu: nan, uv: nan, vv: nan };
         }
         let powers = Powers::new(u, v, n);
-        let mut point = Point::ZERO;
-        let points = self.net.points();
-        self.basis.for_each(&powers, |p, _, b| point += points[p] * b);
+        let point = self.sum(&powers);
         // The Taylor polynomial of de Casteljau's last two steps: Σ_J B^{n−2}_J Δ for every kind of difference.
         let mut sum = Differences::default();
         self.lower.for_each(&powers, |p, _, b| {
@@ -112,5 +110,21 @@ impl Patch for TrianglePatch {
             uv: sum.uv * second,
             vv: sum.vv * second,
         }
+    }
+
+    fn point(&self, u: f64, v: f64) -> Point {
+        if !(u.is_finite() && v.is_finite()) {
+            return Point::new(f64::NAN, f64::NAN, f64::NAN);
+        }
+        self.sum(&Powers::new(u, v, self.net.degree()))
+    }
+}
+
+impl TrianglePatch {
+    /// `Σ_I P_I B^n_I`.
+    fn sum(&self, powers: &Powers) -> Point {
+        let (mut point, points) = (Point::ZERO, self.net.points());
+        self.basis.for_each(powers, |p, _, b| point += points[p] * b);
+        point
     }
 }

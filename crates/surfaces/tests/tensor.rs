@@ -46,6 +46,20 @@ proptest! {
     }
 
     #[test]
+    fn scattered_points_and_jets_are_those_one_by_one(
+        patch in patch(),
+        parameters in prop::collection::vec([0.0..=1.0f64, 0.0..=1.0f64], 0..9),
+    ) {
+        let (points, jets) = (patch.points_at(&parameters), patch.jets_at(&parameters));
+        prop_assert_eq!((points.len(), jets.len()), (parameters.len(), parameters.len()));
+        for ((&[u, v], point), jet) in parameters.iter().zip(points).zip(jets) {
+            prop_assert_eq!(point, patch.point(u, v));
+            prop_assert_eq!(jet, patch.jet(u, v));
+            prop_assert_eq!(jet.point, point);
+        }
+    }
+
+    #[test]
     fn corners_are_interpolated_exactly(patch in patch()) {
         let net = patch.net();
         let (m, n) = net.degrees();

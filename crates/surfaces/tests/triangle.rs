@@ -219,6 +219,20 @@ proptest! {
     }
 
     #[test]
+    fn scattered_points_and_jets_are_those_one_by_one(
+        net in any_net(),
+        parameters in prop::collection::vec(parameters(), 0..9),
+    ) {
+        let patch = TrianglePatch::new(net).unwrap();
+        let parameters: Vec<[f64; 2]> = parameters.into_iter().map(|(u, v)| [u, v]).collect();
+        let (points, jets) = (patch.points_at(&parameters), patch.jets_at(&parameters));
+        for ((&[u, v], point), jet) in parameters.iter().zip(points).zip(jets) {
+            prop_assert_eq!(jet, patch.jet(u, v));
+            prop_assert_eq!((jet.point, patch.point(u, v)), (point, point));
+        }
+    }
+
+    #[test]
     fn raising_the_degree_moves_nothing(net in any_net(), k in 0usize..=4, (u, v) in parameters()) {
         let (n, size) = (net.degree(), net.size());
         let raised = net.raised(k).unwrap();
