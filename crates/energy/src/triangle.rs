@@ -9,7 +9,7 @@ use surfaces::TriangleBasis;
 
 use crate::product::add_product;
 use crate::tangent::Collapsed;
-use crate::{DenseForm, DensityTerm, EnergyError, Functional};
+use crate::{DenseForm, DensityTerm, EnergyError, Functional, ReferenceTriangle};
 
 impl DenseForm {
     /// The form of `functional` for triangular Bézier patches of degree `degree`, in closed form: entries within 4u of
@@ -33,15 +33,29 @@ impl DenseForm {
     /// # Errors
     /// [`EnergyError::Basis`] for a degree above 64.
     pub fn of_triangle(functional: Functional, degree: usize) -> Result<Self, EnergyError> {
+        Self::of_triangle_over(ReferenceTriangle::Right, functional, degree)
+    }
+
+    /// As [`Self::of_triangle`], with the derivatives taken over `reference`. Over the equilateral triangle the form does not change
+    /// when the corners of a net are permuted.
+    ///
+    /// # Errors
+    /// [`EnergyError::Basis`] for a degree above 64.
+    pub fn of_triangle_over(
+        reference: ReferenceTriangle,
+        functional: Functional,
+        degree: usize,
+    ) -> Result<Self, EnergyError> {
+        let terms = reference.terms(functional);
         let basis = TriangleBasis::new(degree)?;
         let mut half = Matrix::zeros(basis.count(), basis.count());
-        let order = total_order(functional);
+        let order = total_order(terms);
         if order > degree {
             return Self::new(half);
         }
         // The density is xᵀ local x with x the points around a multi-index J of degree n − r, at J + offset.
         let offsets: Vec<[usize; 3]> = TriangleBasis::new(order)?.indices().collect();
-        let local = local_form(functional, degree, &offsets);
+        let local = local_form(terms, degree, &offsets);
         let level = degree - order;
         let lower: Vec<[usize; 3]> = TriangleBasis::new(level)?.indices().collect();
         let around: Vec<Vec<usize>> = lower
@@ -89,13 +103,13 @@ impl DenseForm {
 }
 
 /// The number of derivatives in each factor of the density, the same for all its terms.
-fn total_order(functional: Functional) -> usize {
-    functional.terms().iter().map(|term| term.u.0 + term.v.0).max().unwrap_or(0)
+fn total_order(terms: &[DensityTerm]) -> usize {
+    terms.iter().map(|term| term.u.0 + term.v.0).max().unwrap_or(0)
 }
 
 /// The density as a form of the points at J + offset: `Σ coefficient · (difference) (difference)ᵀ · (n!/(n−r)!)²`.
-fn local_form(functional: Functional, degree: usize, offsets: &[[usize; 3]]) -> Matrix {
-    let order = total_order(functional);
+fn local_form(terms: &[DensityTerm], degree: usize, offsets: &[[usize; 3]]) -> Matrix {
+    let order = total_order(terms);
     let factor: f64 = (0..order).map(|s| (degree - s) as f64).product();
     // ∂u is E1 − E3 and ∂v is E2 − E3, with E_s the step in index s: the coefficient at each offset.
     let difference = |u: usize, v: usize| -> Vec<f64> {
@@ -109,7 +123,7 @@ fn local_form(functional: Functional, degree: usize, offsets: &[[usize; 3]]) -> 
             .collect()
     };
     let mut local = Matrix::zeros(offsets.len(), offsets.len());
-    for DensityTerm { coefficient, u, v } in functional.terms() {
+    for DensityTerm { coefficient, u, v } in terms {
         let (left, right) = (difference(u.0, v.0), difference(u.1, v.1));
         for a in 0..offsets.len() {
             for b in 0..offsets.len() {

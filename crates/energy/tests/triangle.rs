@@ -4,7 +4,7 @@ mod interior;
 
 use bases::Matrix;
 use energy::{
-    DenseForm, EnergyError, Functional, MetricForm, TangentSamples, area, integrate,
+    DenseForm, EnergyError, Functional, MetricForm, ReferenceTriangle, TangentSamples, area, integrate,
     triangle_area_with_gradient,
 };
 use interior::{enneper, extremal, masked, ni};
@@ -54,6 +54,31 @@ fn border() -> impl Strategy<Value = TriangleNet> {
     })
 }
 
+/// The net read with its corners in another order: corner k of the result is corner `order[k]` of the net.
+fn permuted(net: &TriangleNet, order: [usize; 3]) -> TriangleNet {
+    let points: Vec<Point> = net
+        .indices()
+        .map(|index| {
+            let mut old = [0; 3];
+            (0..3).for_each(|k| old[order[k]] = index[k]);
+            net.point(old[0], old[1])
+        })
+        .collect();
+    TriangleNet::new(net.degree(), points).unwrap()
+}
+
+#[test]
+fn the_flat_equilateral_triangle_is_conformal_over_its_like() {
+    let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 3f64.sqrt(), 0.0]].map(Point::from);
+    let net = TriangleNet::from_boundary(&corners[..2], &corners[1..], &[corners[2], corners[0]]).unwrap();
+    let over = |reference| {
+        DenseForm::of_triangle_over(reference, Functional::Dirichlet, 1).unwrap().value(&net.coordinates())
+    };
+    let area = 3f64.sqrt();
+    assert!((over(ReferenceTriangle::Equilateral) - area).abs() < 1e-15);
+    assert!(over(ReferenceTriangle::Right) > 1.1 * area);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
@@ -90,6 +115,46 @@ proptest! {
         let dirichlet = form(Functional::Dirichlet, net.degree()).value(&net.coordinates());
         prop_assert!(area <= dirichlet * (1.0 + 1e-13), "{area} {dirichlet}");
         prop_assert!(area > 0.0);
+    }
+
+    #[test]
+    fn over_the_equilateral_triangle_no_corner_is_apart(net in random_net()) {
+        let n = net.degree();
+        for functional in ALL {
+            let form = DenseForm::of_triangle_over(ReferenceTriangle::Equilateral, functional, n).unwrap();
+            let x = net.coordinates();
+            let (value, scale) = (form.value(&x), form.matrix().max_abs() * x.iter().map(|x| x * x).sum::<f64>());
+            for order in [[1, 2, 0], [1, 0, 2], [2, 1, 0]] {
+                let turned = permuted(&net, order);
+                let other = form.value(&turned.coordinates());
+                prop_assert!((value - other).abs() <= 1e-13 * scale, "{functional:?}, {order:?}: {value} {other}");
+            }
+        }
+    }
+
+    #[test]
+    fn energies_over_the_equilateral_triangle_are_those_of_orthonormal_coordinates(net in random_net()) {
+        let patch = TrianglePatch::new(net.clone()).unwrap();
+        // Corners (0, 0), (a, 0), (a/2, a √3/2) of area 1/2: u = (x − y/√3)/a, v = 2y/(√3 a).
+        let (a, root) = ((2.0 / 3f64.sqrt()).sqrt(), 3f64.sqrt());
+        let [[ux, vx], [uy, vy]] = [[1.0 / a, 0.0], [-1.0 / (root * a), 2.0 / (root * a)]];
+        let second = |jet: &surfaces::Jet, [p, q]: [f64; 2], [r, s]: [f64; 2]| {
+            jet.uu * (p * r) + jet.uv * (p * s + q * r) + jet.vv * (q * s)
+        };
+        let direct = integrate(&patch, 1e-13, [0.0; 3], |jet| {
+            let (x, y) = (jet.u * ux + jet.v * vx, jet.u * uy + jet.v * vy);
+            let [xx, xy, yy] = [([ux, vx], [ux, vx]), ([ux, vx], [uy, vy]), ([uy, vy], [uy, vy])]
+                .map(|(p, q)| second(jet, p, q));
+            let laplacian = xx + yy;
+            [0.5 * (x.dot(x) + y.dot(y)), laplacian.dot(laplacian), xx.dot(xx) + 2.0 * xy.dot(xy) + yy.dot(yy)]
+        })
+        .unwrap();
+        for (functional, direct) in ALL.into_iter().zip(direct) {
+            let form = DenseForm::of_triangle_over(ReferenceTriangle::Equilateral, functional, net.degree()).unwrap();
+            let x = net.coordinates();
+            let scale = form.matrix().max_abs() * x.iter().map(|x| x * x).sum::<f64>();
+            prop_assert!((form.value(&x) - direct.value).abs() <= 1e-12 * scale, "{functional:?}");
+        }
     }
 
     #[test]
@@ -280,6 +345,56 @@ fn enneper_is_found_exactly() {
     let (area, dirichlet) = (area_of(&net), form(Functional::Dirichlet, 3).value(&net.coordinates()));
     assert!((area - 421.0 / 90.0).abs() <= 1e-13 * area, "{area}");
     assert!((dirichlet - area).abs() <= 1e-13 * area);
+}
+
+/// The cubic net of Enneper's surface `(u − u³/3 + uv², v − v³/3 + u²v, u² − v²)` over the triangle with these corners: `P_ijk` is the
+/// symmetric trilinear form of each coordinate at i times A, j times B, k times C. Its interior is free.
+fn enneper_piece(corners: [[f64; 2]; 3]) -> TriangleNet {
+    let polar = |args: [[f64; 2]; 3]| {
+        let [p, q, r] = args;
+        let (sum, all) = (|k: usize| (p[k] + q[k] + r[k]) / 3.0, |k: usize| p[k] * q[k] * r[k]);
+        let two = |k: usize| (p[k] * q[k] + p[k] * r[k] + q[k] * r[k]) / 3.0;
+        let mixed = |k: usize, l: usize| (p[k] * q[l] * r[l] + p[l] * q[k] * r[l] + p[l] * q[l] * r[k]) / 3.0;
+        Point::new(sum(0) - all(0) / 3.0 + mixed(0, 1), sum(1) - all(1) / 3.0 + mixed(1, 0), two(0) - two(1))
+    };
+    let empty = TriangleNet::new(3, vec![Point::ZERO; 10]).unwrap();
+    let points: Vec<Point> = empty
+        .indices()
+        .map(|index| {
+            let all: Vec<usize> = (0..3).flat_map(|s| vec![s; index[s]]).collect();
+            polar([corners[all[0]], corners[all[1]], corners[all[2]]])
+        })
+        .collect();
+    let whole = TriangleNet::new(3, points).unwrap();
+    let [ab, bc, ca] = whole.boundary();
+    let border = TriangleNet::from_boundary(&ab, &bc, &ca).unwrap();
+    border.with_coordinates(&whole.coordinates()).unwrap()
+}
+
+#[test]
+fn only_conformal_pieces_of_enneper_come_back() {
+    // TRI §1 (3) and §6 say every triangular piece. The chart over a right isosceles triangle with the right angle at C is conformal; over
+    // others it is not, and the extremal is another surface.
+    let found = |corners, form: &DenseForm| {
+        let exact = enneper_piece(corners);
+        let net = extremal(form, &exact);
+        (net.point(1, 1).distance(exact.point(1, 1)), area_of(&net), area_of(&exact))
+    };
+    let right = form(Functional::Dirichlet, 3);
+    let isosceles = [[1.2, 0.3], [0.2, 1.3], [0.2, 0.3]];
+    assert!(found(isosceles, &right).0 < 1e-13);
+    let scalene = [[1.3, 0.2], [0.1, 0.9], [-0.4, -0.3]];
+    let (distance, area, exact) = found(scalene, &right);
+    assert!((distance - 0.501131).abs() < 1e-6, "{distance}");
+    assert!((area - 1.794793).abs() < 5e-7 && (exact - 1.778093).abs() < 5e-7, "{area} {exact}");
+    // Over the equilateral triangle it is the mask without edges, and the energy over that triangle, that are exact.
+    let equilateral = [[0.9, 0.1], [0.0, 0.1], [0.45, 0.1 + 0.45 * 3f64.sqrt()]];
+    assert!(found(equilateral, &right).0 > 1e-2);
+    let over = DenseForm::of_triangle_over(ReferenceTriangle::Equilateral, Functional::Dirichlet, 3).unwrap();
+    assert!(found(equilateral, &over).0 < 1e-13);
+    let exact = enneper_piece(equilateral);
+    let net = masked(&TriangleMask::Symmetric(1.0 / 3.0).system(&exact).unwrap(), &exact);
+    assert!(net.point(1, 1).distance(exact.point(1, 1)) < 1e-13);
 }
 
 #[test]

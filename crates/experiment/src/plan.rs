@@ -4,6 +4,7 @@
 //! what only the mathematics can tell (a singular mask system, rows that admit no harmonic net).
 //! Points are plain `[x, y, z]`, finite, with |coordinate| ≤ [`MAX_COORDINATE`](plateau::MAX_COORDINATE).
 
+mod arrangement;
 mod boundary;
 mod curve;
 mod expected;

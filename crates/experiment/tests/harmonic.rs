@@ -112,9 +112,32 @@ fn inconsistent_data_give_an_error_that_counts_the_conditions() {
         match solved(&experiment(true, m, n, &net)) {
             Err(error @ MethodError::HarmonicConflict { conditions, .. }) => {
                 assert_eq!(conditions, expected, "({m}, {n})");
-                assert!(error.to_string().contains("two opposite sides"), "{error}");
+                let least = if n % 2 == 0 { n + 1 } else { n };
+                let way_out =
+                    format!("two rows of degree {n} determine the net with degree {least} in u or more");
+                assert!(error.to_string().contains(&way_out), "{error}");
             }
             other => panic!("({m}, {n}): {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn the_degree_that_a_refusal_names_works_for_all_rows_and_columns() {
+    for along in 1..=9usize {
+        let least = if along.is_multiple_of(2) { along + 1 } else { along };
+        for across in [least, least + 1, least + 2] {
+            for rows in [true, false] {
+                // Rows of any kind: a net that is not harmonic at all.
+                let (m, n) = if rows { (across, along) } else { (along, across) };
+                let entry = |i: usize, j: usize, d: usize| {
+                    0.3 * (i * i + d) as f64 - libm::sin((3 * j + i * (d + 1)) as f64)
+                };
+                let point = |k: usize| [0, 1, 2].map(|d| entry(k / (n + 1), k % (n + 1), d));
+                let net: Vec<[f64; 3]> = (0..(m + 1) * (n + 1)).map(point).collect();
+                let found = solved(&experiment(rows, m, n, &net));
+                assert!(found.is_ok(), "({m}, {n}), rows {rows}: {found:?}");
+            }
         }
     }
 }

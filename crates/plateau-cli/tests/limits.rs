@@ -142,6 +142,67 @@ fn check(text: &str) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8(output.stderr).expect("UTF-8"))
 }
 
+/// Exit status and all output of `plateau run` in an address space of so many MiB.
+fn run_in(mebibytes: usize, text: &str) -> (Option<i32>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("large.toml");
+    fs::write(&file, text).unwrap();
+    let limit = format!("ulimit -v {}; ulimit -c 0; exec \"$0\" run \"$1\" --threads 1", 1024 * mebibytes);
+    let output = Command::new("sh")
+        .args(["-c", &limit, env!("CARGO_BIN_EXE_plateau")])
+        .arg(&file)
+        .current_dir(folder.path())
+        .stdin(Stdio::null())
+        .output()
+        .expect("a shell");
+    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+    (output.status.code(), text(output.stdout) + &text(output.stderr))
+}
+
+#[test]
+fn lack_of_memory_is_an_error_of_the_method_that_lacks_it() {
+    let side = |of: &dyn Fn(f64) -> [f64; 3]| {
+        format!("{:?}", (0..=60).map(|k| of(f64::from(k) / 60.0)).collect::<Vec<_>>())
+    };
+    let boundary = format!(
+        "title = \"x\"\n[boundary]\nu0 = {}\nu1 = {}\nv0 = {}\nv1 = {}\n",
+        side(&|t| [0.0, t, 0.0]),
+        side(&|t| [1.0, t, t]),
+        side(&|t| [t, 0.0, 0.0]),
+        side(&|t| [t, 1.0, t])
+    );
+    let small = "[[method]]\nname = \"small\"\nconstruction = \"discrete-coons\"\n";
+    let output = "[output]\nmesh = 2\npictures = false\n";
+    for (name, large, output, at_least) in [
+        ("dense", "energy = \"bending\"\nsolver = \"dense\"", output, "about 8"),
+        ("area", "energy = \"area\"", output, "about 3"),
+        (
+            "mesh",
+            "construction = \"discrete-coons\"",
+            "[output]\nmesh = 1400\npictures = false\n",
+            "about 25",
+        ),
+    ] {
+        let text = format!("{boundary}{small}[[method]]\nname = \"large\"\n{large}\n{output}");
+        for mebibytes in [64, 100, 200] {
+            let (status, said) = run_in(mebibytes, &text);
+            assert_eq!(status, Some(1), "{name} in {mebibytes} MiB: {said}");
+            let whole = said.replace('\n', " ");
+            assert!(whole.contains("out of memory: ") && whole.contains(at_least), "{name}: {said}");
+            // The other method keeps its row, unless it lacks the same.
+            assert_eq!(
+                whole.matches("out of memory").count(),
+                if name == "mesh" { 2 } else { 1 },
+                "{name}: {said}"
+            );
+        }
+    }
+    // Extremals that are solved direction by direction need none of it.
+    let text = format!("{boundary}{small}[[method]]\nname = \"large\"\nenergy = \"bending\"\n{output}");
+    let (status, said) = run_in(100, &text);
+    assert_eq!(status, Some(0), "{said}");
+}
+
 #[test]
 fn costly_texts_are_refused_in_64_mib() {
     // As large as is admitted, too large by a byte, and as large as the limits of tokens let pass.

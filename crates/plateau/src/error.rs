@@ -1,5 +1,7 @@
 use thiserror::Error;
 
+use crate::{DegreeLimit, Direction};
+
 /// Why a method found no patch.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -47,18 +49,12 @@ pub enum MethodError {
         /// Degree of the net.
         degree: usize,
     },
-    /// Harmonic nets are offered up to a degree only.
-    #[error("a harmonic net of degree {degree} is beyond the largest offered, {max}")]
-    HarmonicDegree {
-        /// The larger of the two degrees.
-        degree: usize,
-        /// The largest offered.
-        max: usize,
-    },
+    /// The degree is beyond what the method is offered for.
+    #[error(transparent)]
+    TooHigh(#[from] DegreeLimit),
     /// The sides given do not determine the harmonic net.
     #[error(
-        "the sides given leave {missing} degrees of freedom of a harmonic net of degree ({m}, {n}): give the other two \
-         sides as well, or choose equal odd degrees"
+        "the sides given leave {missing} degrees of freedom of a harmonic net of degree ({m}, {n}): {}", determined(*m, *n, *given)
     )]
     HarmonicMissing {
         /// Degree in u.
@@ -67,12 +63,13 @@ pub enum MethodError {
         n: usize,
         /// Dimension of the harmonic nets that fit, for each coordinate.
         missing: usize,
+        /// Which two sides are given; none if all four are.
+        given: Option<Direction>,
     },
     /// No harmonic net has the sides given.
     #[error(
         "no harmonic net of degree ({m}, {n}) has the sides given: the relations impose {conditions} conditions on them \
-         and they fail by {misfit:.1e}; give two opposite sides only, of equal odd degrees, or sides taken from a \
-         harmonic surface"
+         and they fail by {misfit:.1e}; {}. Sides taken from a harmonic surface fit at every degree", determined(*m, *n, *given)
     )]
     HarmonicConflict {
         /// Degree in u.
@@ -83,6 +80,8 @@ pub enum MethodError {
         conditions: usize,
         /// The largest relative misfit.
         misfit: f64,
+        /// Which two sides are given; none if all four are.
+        given: Option<Direction>,
     },
     /// The weights of a mask leave its system without an inverse.
     #[error(
@@ -132,6 +131,15 @@ pub enum MethodError {
         /// The parameter.
         t: f64,
     },
+    /// The memory that the method needs cannot be had.
+    #[error(
+        "out of memory: about {:.0} MB are needed at once and cannot be allocated; take a lower degree or a coarser mesh, or free memory",
+        *bytes as f64 / 1e6
+    )]
+    OutOfMemory {
+        /// Size of the request.
+        bytes: usize,
+    },
     /// The user ended the work before this method had a result.
     #[error("interrupted before it had a result")]
     Interrupted,
@@ -165,5 +173,20 @@ impl MethodError {
             }
             error => error.into(),
         }
+    }
+}
+
+/// Which degrees of a harmonic net leave nothing open, whatever the sides: two rows of degree n determine the net of degree (m, n)
+/// exactly if m > n, or m = n is odd (GT §6, corrected), and columns likewise.
+fn determined(m: usize, n: usize, given: Option<Direction>) -> String {
+    let least = |along: usize| if along.is_multiple_of(2) { along + 1 } else { along };
+    let rows = format!("two rows of degree {n} determine the net with degree {} in u or more", least(n));
+    let columns =
+        format!("two columns of degree {m} determine the net with degree {} in v or more", least(m));
+    let whatever = "whatever their points";
+    match given {
+        Some(Direction::Rows) => format!("{rows}, {whatever}"),
+        Some(Direction::Columns) => format!("{columns}, {whatever}"),
+        None => format!("give two opposite sides only: {rows}, and {columns}, {whatever}"),
     }
 }

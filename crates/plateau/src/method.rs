@@ -1,5 +1,7 @@
 //! Methods: ways to fill a boundary.
 
+use energy::ReferenceTriangle;
+
 use crate::search::SearchMode;
 
 /// One way to fill the boundary: one row of the table.
@@ -24,6 +26,8 @@ pub struct Method {
     /// The linear solver. [`SolverChoice::Separable`] only for Dirichlet extremals of tensor patches,
     /// [`SolverChoice::Sparse`] only for masks.
     pub solver: SolverChoice,
+    /// For extremals of quadratic energies over a triangular net: the plane triangle over which the energy is taken.
+    pub domain: ReferenceTriangle,
     /// For [`Energy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
     pub tolerance: f64,
 }

@@ -6,7 +6,7 @@ use crate::interior::{boundary_net, construct, extremal, triangle, with_shape};
 use crate::search::search;
 use crate::{
     AreaExtremal, Basis, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Method,
-    MethodError, Patch, Shape, Solved, Surface, least_area_from, least_area_raised, trust,
+    MethodError, Patch, Shape, Solved, Surface, least_area_from, least_area_raised, memory, trust,
 };
 
 /// A surface that loses more than this share of its size to cancellation is not one.
@@ -23,12 +23,22 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     if context.progress.cancelled() {
         return Err(MethodError::Interrupted);
     }
+    if let Some(limit) = method.degree_limit() {
+        limit.admits(boundary.degrees(), method.raise)?;
+    }
+    memory::holds(memory::of_method(method, boundary.degrees()))?;
     let (boundary, origin) = boundary.anchored();
-    let mut solved = solved(&boundary, method, context)?;
+    let near = |solved: &&Solved| {
+        Ok(Solved { surface: solved.surface.clone().moved(-origin)?, ..(*solved).clone() })
+    };
+    let at_hand = context.at_hand.iter().map(near).collect::<Result<Vec<Solved>, MethodError>>()?;
+    let at_hand: Vec<&Solved> = at_hand.iter().collect();
+    let mut solved = solved(&boundary, method, &Context { at_hand: &at_hand, ..*context })?;
     let cancellation = solved.surface.cancellation();
     if cancellation > WORST_CANCELLATION {
         return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
     }
+    memory::holds(memory::of_mesh(context.mesh))?;
     context.progress.begin(&format!("figures of {}", method.name), None);
     let mut mesh = solved.surface.mesh(context.mesh);
     let figures = Figures::of_moved(&[solved.surface.patch()], &mesh, origin.norm());

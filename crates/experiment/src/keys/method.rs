@@ -1,6 +1,8 @@
 //! `[[method]]`.
 
-use plateau::{Basis, Energy, Interior, MAX_DEGREE, Mask, Patch, SearchMode, SolverChoice};
+use plateau::{
+    Basis, Energy, Interior, MAX_DEGREE, Mask, Patch, ReferenceTriangle, SearchMode, SolverChoice,
+};
 use serde_json::{Map, Value as Json, json};
 
 use super::expect;
@@ -126,6 +128,13 @@ pub(crate) static RAISE: Key<Whole<usize>> = Key::new(
     "the number of degrees by which the boundary is raised before solving, exactly for Bernstein",
 )
 .or("0");
+pub(crate) static DOMAIN: Key<Name<ReferenceTriangle>> = Key::new(
+    "domain",
+    Name(&[("right", ReferenceTriangle::Right), ("equilateral", ReferenceTriangle::Equilateral)]),
+    "the plane triangle over which the energy of a triangular extremal is taken: over the \"right\" one of the papers the corner C is apart, \
+     over the \"equilateral\" one none is",
+)
+.or("\"right\"");
 pub(crate) static METRIC_STEPS: Key<Whole<usize>> = Key::new(
     "metric-steps",
     Whole::between(0, 1000),
@@ -184,6 +193,7 @@ pub(crate) static SECTION: Section = Section {
         &SEARCH,
         &ENERGY,
         &RAISE,
+        &DOMAIN,
         &METRIC_STEPS,
         &MASK,
         &CONSTRUCTION,

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use super::arrangement::Arrangement;
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::boundary::{
     AB, BC, CA, SIDES_OF_A_NET, SIDES_OF_A_TRIANGLE, U_DEGREE, U0, U1, V_DEGREE, V0, V1,
 };
-use plateau::{Boundary, BoundaryError, Gap, OppositeSides, TensorBoundary, TriangleBoundary};
-use surfaces::Point;
+use plateau::{Boundary, BoundaryError, Gap, Loop, OppositeSides, TensorBoundary, TriangleBoundary};
+use surfaces::{Point, extent};
 
 use crate::text::{Entry, Faults, Given, Key, PointList, Points, Table, shown, shown_point};
 
@@ -27,10 +28,10 @@ pub(super) struct Sides {
 }
 
 /// One list of points with its key.
-struct Side {
-    name: &'static str,
-    span: Range<usize>,
-    list: PointList,
+pub(super) struct Side {
+    pub(super) name: &'static str,
+    pub(super) span: Range<usize>,
+    pub(super) list: PointList,
 }
 
 impl Side {
@@ -197,7 +198,11 @@ impl Read<'_> {
             Ok(boundary) => return Some(boundary),
             Err(BoundaryError::TooSmall { size }) => self.too_small(size, sides),
             Err(BoundaryError::Lengths { sides: names, counts }) => {
-                self.differ_in_length(sides, names, counts)
+                let all: Vec<Point> = sides.iter().flat_map(Side::points).collect();
+                match Arrangement::of(sides, Loop::WELD * extent(&all)) {
+                    Some(found) => self.faults.report(found.told(sides, rule)),
+                    None => self.differ_in_length(sides, names, counts),
+                }
             }
             Err(BoundaryError::Apart { gaps, weld }) => self.do_not_meet(sides, &gaps, weld, rule),
             // The numbers themselves were admitted one by one.
@@ -241,22 +246,12 @@ impl Read<'_> {
         );
     }
 
-    /// Sides that would meet if some were reversed are one fault, others are one for each corner.
+    /// Sides that would meet under other names or in the other order are one fault, others are one for each corner.
     fn do_not_meet(&self, sides: &[Side], gaps: &[Gap], weld: f64, rule: &str) {
-        let corners: &[_] =
-            if sides.len() == 3 { &TriangleBoundary::CORNERS } else { &TensorBoundary::CORNERS };
-        let Some(turned) = reversed(sides, corners, weld) else {
-            gaps.iter().for_each(|gap| self.does_not_meet(sides, gap, weld));
-            return;
-        };
-        let [first, rest @ ..] = &turned[..] else { return };
-        let names: Vec<String> = turned.iter().map(|side| format!("`{}`", side.name)).collect();
-        let (names, run) = (names.join(" and "), if rest.is_empty() { "runs" } else { "run" });
-        let what = format!("{names} in [boundary] {run} in the wrong direction: reversed, all sides meet");
-        let label = "write these points in the other order";
-        let diagnostic = Diagnostic::at(Fault::Conflict, first.span.clone(), what, label).help(rule);
-        let whole = rest.iter().fold(diagnostic, |fault, side| fault.beside(side.span.clone(), label));
-        self.faults.report(whole);
+        match Arrangement::of(sides, weld) {
+            Some(found) => self.faults.report(found.told(sides, rule)),
+            None => gaps.iter().for_each(|gap| self.does_not_meet(sides, gap, weld)),
+        }
     }
 
     fn does_not_meet(&self, sides: &[Side], gap: &Gap, weld: f64) {
@@ -281,22 +276,4 @@ impl Read<'_> {
             ),
         );
     }
-}
-
-/// The fewest sides whose reversal makes all sides meet.
-fn reversed<'s>(
-    sides: &'s [Side],
-    corners: &[(&str, [(usize, bool); 2])],
-    weld: f64,
-) -> Option<Vec<&'s Side>> {
-    let is_turned = |turned: usize, k: usize| turned >> k & 1 == 1;
-    let end = |(k, at_end): (usize, bool), turned: usize| {
-        let points = &sides[k].list.points;
-        let point = points[if at_end == is_turned(turned, k) { 0 } else { points.len() - 1 }].get_ref();
-        Point::from(*point)
-    };
-    let meets =
-        |turned: &usize| corners.iter().all(|&(_, [p, q])| end(p, *turned).distance(end(q, *turned)) <= weld);
-    let turned = (0..1 << sides.len()).filter(meets).min_by_key(|turned: &usize| turned.count_ones())?;
-    Some((0..sides.len()).filter(|&k| is_turned(turned, k)).map(|k| &sides[k]).collect())
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use plateau::{Basis, Boundary, Energy, Interior, MAX_DEGREE, Mask, Patch};
+use plateau::{Basis, Boundary, DegreeLimit, Energy, Interior, MAX_DEGREE, Mask, Method, Patch};
 
 use super::boundary::Kind;
 use super::method::Draft;
@@ -161,5 +161,50 @@ impl Draft<'_> {
             return false;
         }
         true
+    }
+
+    /// Whether the method is offered at the degree of its net.
+    pub(super) fn fits_method(&self, method: &Method) -> bool {
+        let (Some(boundary), Some(limit)) = (&self.sides.boundary, method.degree_limit()) else {
+            return true;
+        };
+        let (m, n) = boundary.degrees();
+        let (given, degree) = (m.max(n), m.max(n) + method.raise);
+        if degree <= limit.degree() {
+            return true;
+        }
+        let key = match limit {
+            DegreeLimit::Triangle => self.energy.span(),
+            DegreeLimit::MetricSteps => self.metric_steps.span(),
+            DegreeLimit::Harmonic => self.construction.span(),
+            DegreeLimit::OtherSearchEnergy => self.search_energy.span(),
+        };
+        let lower = match limit.degree().checked_sub(given) {
+            Some(0) => "leave out `raise`, or ".to_owned(),
+            Some(raise) => format!("raise by at most {raise}, or "),
+            None => String::new(),
+        };
+        let instead = match limit {
+            DegreeLimit::Triangle => {
+                "write mask = \"dirichlet\" or construction = \"discrete-coons\", which are sound at higher degrees"
+            }
+            DegreeLimit::MetricSteps => {
+                "write energy = \"area\" without `metric-steps`: it goes farther than any number of steps, at every degree"
+            }
+            DegreeLimit::Harmonic => "write energy = \"laplacian\" over all four sides",
+            DegreeLimit::OtherSearchEnergy => {
+                "leave out `search-energy`: then the shape minimises the energy of the extremal, at every degree"
+            }
+        };
+        self.table.faults().conflict(
+            (key.unwrap_or(self.table.span()), &format!("offered to degree {}", limit.degree())),
+            (
+                self.sides.header.clone(),
+                &format!("degree {given}{}", if method.raise > 0 { " before it is raised" } else { "" }),
+            ),
+            format!("{} would have degree {degree}: {limit}", self.table.name()),
+            format!("{lower}{instead}"),
+        );
+        false
     }
 }

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use plateau::{Basis, Energy, Interior, Mask, Method, Patch, SearchMode, Shape, SolverChoice};
+use plateau::{
+    Basis, Energy, Interior, Mask, Method, Patch, ReferenceTriangle, SearchMode, Shape, SolverChoice,
+};
 use serde_spanned::Spanned;
 
 use super::Wanted;
@@ -11,7 +13,7 @@ use super::boundary::{Kind, Sides};
 use super::expected::check::{Subject, expectations, published};
 use crate::diagnostic::shorten;
 use crate::keys::method::{
-    BASIS, CONSTRUCTION, ENERGY, EXPECT, MASK, METRIC_STEPS, NAME, PATCH, PUBLISHED, RAISE, SEARCH,
+    BASIS, CONSTRUCTION, DOMAIN, ENERGY, EXPECT, MASK, METRIC_STEPS, NAME, PATCH, PUBLISHED, RAISE, SEARCH,
     SEARCH_ENERGY, SHAPE, SOLVER, TOLERANCE,
 };
 use crate::text::{Given, Table, Tables};
@@ -56,10 +58,11 @@ pub(super) struct Draft<'t> {
     pub(super) search: Given<Option<SearchMode>>,
     pub(super) energy: Given<Energy>,
     pub(super) raise: Given<usize>,
+    domain: Given<ReferenceTriangle>,
     pub(super) metric_steps: Given<usize>,
     pub(super) mask: Given<Mask>,
     pub(super) construction: Given<Interior>,
-    search_energy: Given<Energy>,
+    pub(super) search_energy: Given<Energy>,
     solver: Given<SolverChoice>,
     tolerance: Given<f64>,
     expect: Given<Table<'t>>,
@@ -76,6 +79,7 @@ impl<'t> Draft<'t> {
             search: table.take(&SEARCH),
             energy: table.take(&ENERGY),
             raise: table.take(&RAISE),
+            domain: table.take(&DOMAIN),
             metric_steps: table.take(&METRIC_STEPS),
             mask: table.take(&MASK),
             construction: table.take(&CONSTRUCTION),
@@ -101,10 +105,26 @@ impl<'t> Draft<'t> {
             (Some(shape), Some(interior)) => self.search_energy(shape, interior),
             _ => None,
         };
+        let domain = self.domain(interior.as_ref());
+        let method = (|| {
+            Some(Method {
+                name: name?,
+                patch: patch?,
+                basis: basis?,
+                shape: shape?,
+                interior: interior?,
+                search_energy: search_energy?,
+                raise: raise?,
+                solver: solver?,
+                domain: domain?,
+                tolerance: tolerance?,
+            })
+        })();
+        let fits = fits && method.as_ref().is_none_or(|method| self.fits_method(method));
         let subject = patch.zip(shape).map(|(patch, shape)| Subject::Patch { patch, shape });
-        let method = self.table.name().to_owned();
+        let called = self.table.name().to_owned();
         let of_this = |table: Table<'t>| {
-            let called = format!("{} of {method}", table.name());
+            let called = format!("{} of {called}", table.name());
             table.called(called)
         };
         let expect = expectations(self.expect.map(of_this), subject);
@@ -119,18 +139,7 @@ impl<'t> Draft<'t> {
         if !fits {
             return None;
         }
-        let method = Method {
-            name: name?,
-            patch: patch?,
-            basis: basis?,
-            shape: shape?,
-            interior: interior?,
-            search_energy: search_energy?,
-            raise: raise?,
-            solver: solver?,
-            tolerance: tolerance?,
-        };
-        Some((method, Wanted { expect: expect?, published: published? }))
+        Some((method?, Wanted { expect: expect?, published: published? }))
     }
 
     /// What the file says of the kind of patch.
@@ -208,6 +217,42 @@ impl<'t> Draft<'t> {
             return None;
         }
         self.table.or_default(&TOLERANCE, &self.tolerance)
+    }
+
+    /// The triangle over which an energy is taken.
+    fn domain(&self, interior: Option<&Interior>) -> Option<ReferenceTriangle> {
+        let is_quadratic = |interior: &Interior| match interior {
+            Interior::Extremal { energy, .. } => *energy != Energy::Area,
+            Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => false,
+        };
+        let is_other = |kind: Kind| match kind {
+            Kind::Triangle => false,
+            Kind::Tensor | Kind::TwoSides => true,
+        };
+        let what = if self.sides.kind.is_some_and(is_other) {
+            Some((
+                "for triangles",
+                "its boundary is no triangle",
+                "leave it out: tensor nets are taken over the unit square",
+            ))
+        } else if interior.is_some_and(|interior| !is_quadratic(interior)) {
+            Some((
+                "for extremals of quadratic energies",
+                "its interior is no extremal of a quadratic energy",
+                "leave it out: neither an area nor a mask nor a construction is taken over a triangle of the plane",
+            ))
+        } else {
+            None
+        };
+        if let (Some(span), Some((label, why, help))) = (self.domain.span(), what) {
+            self.table.faults().clash(
+                (span, label),
+                format!("{} has `domain`, but {why}", self.table.name()),
+                help,
+            );
+            return None;
+        }
+        self.table.or_default(&DOMAIN, &self.domain)
     }
 
     fn solver(&self, patch: Option<Patch>, interior: Option<&Interior>) -> Option<SolverChoice> {

@@ -85,7 +85,8 @@ pub(crate) fn extremal(
     Ok((patch.with_net(net.with_coordinates(&coordinates)?)?, figures))
 }
 
-fn derivative(jet: &Jet, a: usize, b: usize) -> Point {
+/// `∂_u^a ∂_v^b` of a patch, a + b at most 2.
+pub(crate) fn derivative(jet: &Jet, a: usize, b: usize) -> Point {
     match (a, b) {
         (0, 0) => jet.point,
         (1, 0) => jet.u,

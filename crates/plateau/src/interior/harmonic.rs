@@ -9,18 +9,16 @@ use crate::{Boundary, Direction, MethodError, SolveFigures};
 /// rounding.
 const RANK_TOLERANCE: f64 = 1e-11;
 
-/// Highest degree offered: the relations are solved densely by singular values, O(degree⁶).
-const MAX_DEGREE: usize = 20;
-
 /// The net of the harmonic Bernstein–Bézier patch through the given sides, all of it determined.
 ///
 /// Whether the sides determine it, and whether they admit one at all, is read off the rank of the relations and
-/// the conflict that remains: square odd degrees always work from two rows, other degrees sometimes.
+/// the conflict that remains: from two rows of degree n a degree m > n always works, and an odd m = n; others sometimes.
 pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodError> {
     let (m, n) = boundary.degrees();
-    if m.max(n) > MAX_DEGREE {
-        return Err(MethodError::HarmonicDegree { degree: m.max(n), max: MAX_DEGREE });
-    }
+    let given = match boundary {
+        Boundary::Opposite(sides) => Some(sides.direction()),
+        Boundary::Tensor(_) | Boundary::Triangle(_) => None,
+    };
     let points = (m + 1) * (n + 1);
     let known = known_points(boundary, m, n)?;
     let unknown: Vec<usize> = (0..points).filter(|&k| known[k].is_none()).collect();
@@ -44,10 +42,10 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
     if solution.inconsistent > 0 {
         // Of all independent relations, those that the unknown points cannot serve bind the sides themselves.
         let conditions = rank(&relations, points)? - solution.rank;
-        return Err(MethodError::HarmonicConflict { m, n, conditions, misfit: solution.residual });
+        return Err(MethodError::HarmonicConflict { m, n, conditions, misfit: solution.residual, given });
     }
     if solution.nullity > 0 {
-        return Err(MethodError::HarmonicMissing { m, n, missing: solution.nullity });
+        return Err(MethodError::HarmonicMissing { m, n, missing: solution.nullity, given });
     }
     let mut coordinates: Vec<Point> = known.iter().map(|p| p.unwrap_or(Point::ZERO)).collect();
     for (c, &k) in unknown.iter().enumerate() {

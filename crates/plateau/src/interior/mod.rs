@@ -1,6 +1,6 @@
 //! The free control points of a net: extremals, masks, explicit and harmonic nets.
 
-mod bubbles;
+pub(crate) mod bubbles;
 mod construct;
 pub(crate) mod extremal;
 mod harmonic;

@@ -1,6 +1,6 @@
 //! Triangular patches over three boundary polygons (TRI, COONS).
 
-use energy::{DenseForm, MetricForm};
+use energy::{DenseForm, MetricForm, ReferenceTriangle};
 use solve::{Partition, solve_partitioned};
 use surfaces::{TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
@@ -28,7 +28,7 @@ pub(crate) fn solve(
             let (patch, found) = found?;
             return Ok((patch, None, Some(found)));
         }
-        Interior::Extremal { energy, metric_steps } => extremal(net, energy, metric_steps)?,
+        Interior::Extremal { energy, metric_steps } => extremal(net, energy, method.domain, metric_steps)?,
         Interior::Mask(mask) => by_mask(&net, mask)?,
         Interior::DiscreteCoons => {
             let [ab, bc, ca] = net.boundary();
@@ -57,10 +57,12 @@ fn at_hand_of(net: &TriangleNet, at_hand: &[&Solved]) -> Result<Vec<TrianglePatc
 fn extremal(
     net: TriangleNet,
     energy: Energy,
+    domain: ReferenceTriangle,
     metric_steps: usize,
 ) -> Result<(TrianglePatch, SolveFigures), MethodError> {
     let functional = energy.functional().ok_or(MethodError::Unavailable { what: "the area here" })?;
-    let (mut patch, mut figures) = minimise(&DenseForm::of_triangle(functional, net.degree())?, &net)?;
+    let (mut patch, mut figures) =
+        minimise(&DenseForm::of_triangle_over(domain, functional, net.degree())?, &net)?;
     for _ in 0..metric_steps {
         let metric = MetricForm::of_triangle(&patch, net.degree())?;
         (patch, figures) = minimise(&metric.form, &net)?;

@@ -222,6 +222,7 @@ mod tests {
             search_energy,
             raise: 0,
             solver: SolverChoice::Auto,
+            domain: energy::ReferenceTriangle::Right,
             tolerance: 1e-11,
         }
     }

@@ -1,15 +1,14 @@
 //! The least area over the border as a function of the shape: what a search for the area asks.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use bases::{Basis, GtParts, Matrix, Stacked};
 use energy::area_derivative;
 use optim::{Objective, Smooth};
-use surfaces::{Net, Product, TensorPatch, bernstein_less_blend};
+use surfaces::{Net, TensorPatch};
 
+use super::shape_derivative::ShapeDerivatives;
 use crate::interior::with_shape;
-use crate::{Method, MethodError, Patch, Progress, least_area};
+use crate::{Method, MethodError, Progress, least_area};
 
 /// `A(α)`, the area of the area extremal at shape α; its gradient is the partial derivative of the area by the shape, the net
 /// held (the envelope theorem).
@@ -17,8 +16,7 @@ pub(super) struct LeastArea<'a> {
     net: Net,
     method: Method,
     watch: Watch<'a>,
-    /// For each of α1, α2, β1, β2 the derivative by it of the GT family it shapes.
-    derivatives: [Arc<dyn Basis>; 4],
+    derivatives: ShapeDerivatives,
 }
 
 /// Counts the minimisations; passes on who wants them to end, not their steps.
@@ -41,16 +39,7 @@ impl Progress for Watch<'_> {
 
 impl<'a> LeastArea<'a> {
     pub(super) fn new(net: &Net, method: &Method, progress: &'a dyn Progress) -> Result<Self, MethodError> {
-        let (m, n) = net.degrees();
-        // GT functions are affine in the shape: the derivative by θ1 or θ2 is a family that does not depend on it.
-        let part = |degree: usize, parameter: usize| -> Result<Arc<dyn Basis>, MethodError> {
-            let functions = degree + 1;
-            let map = Matrix::from_fn(functions, 3 * functions, |i, j| {
-                f64::from(u8::from(j == parameter * functions + i))
-            });
-            Ok(Arc::new(Stacked::new(vec![Arc::new(GtParts::new(degree)?)], map)?))
-        };
-        let derivatives = [part(m, 1)?, part(m, 2)?, part(n, 1)?, part(n, 2)?];
+        let derivatives = ShapeDerivatives::new(method.patch, net.degrees())?;
         let watch = Watch { progress, found: AtomicU64::new(0) };
         Ok(Self { net: net.clone(), method: method.clone(), watch, derivatives })
     }
@@ -71,16 +60,7 @@ impl<'a> LeastArea<'a> {
         k: usize,
         points: usize,
     ) -> Result<f64, MethodError> {
-        let (m, n) = self.net.degrees();
-        let moving = self.derivatives[k].clone();
-        let tb_coons = self.method.patch == Patch::TbCoons;
-        let product = match (k < 2, tb_coons) {
-            (true, false) => Product { u: moving, v: patch.products()[0].v.clone() },
-            (false, false) => Product { u: patch.products()[0].u.clone(), v: moving },
-            (true, true) => Product { u: moving, v: Arc::new(bernstein_less_blend(n)?) },
-            (false, true) => Product { u: Arc::new(bernstein_less_blend(m)?), v: moving },
-        };
-        let direction = TensorPatch::new(vec![product], patch.net().clone())?;
+        let direction = self.derivatives.of(patch, k)?;
         Ok(area_derivative(patch, &direction, points)?)
     }
 }

@@ -2,11 +2,13 @@
 
 mod composed;
 mod least_area;
+mod minima;
 mod options;
 mod outcome;
 mod reduced;
 mod reduced_energy;
 mod runs;
+mod shape_derivative;
 
 pub use options::{MAX_SEARCH_BUDGET, Search, SearchMode, Variant};
 pub use outcome::{SearchOutcome, SearchRun};

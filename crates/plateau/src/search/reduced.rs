@@ -8,6 +8,7 @@ use surfaces::Net;
 
 use super::composed::Composed;
 use super::least_area::LeastArea;
+use super::minima::Minima;
 use super::reduced_energy::ReducedEnergy;
 use crate::interior::extremal::prefers_separable;
 use crate::{Arithmetic, Energy, Method, MethodError, Patch, Progress, SolverChoice};
@@ -18,11 +19,19 @@ pub(super) enum Reduced<'a> {
     Parametric(Box<ReducedEnergy>),
     /// Samples of the functions, orthonormalised at every shape: for large nets, where Gram matrices lose digits.
     Separable(Box<SeparableParametric>),
+    /// The extremal itself at every shape: for large nets, any quadratic energy, any blend.
+    Minima(Box<Minima>),
     /// The least area over the border: a minimisation at every shape.
     Area(Box<LeastArea<'a>>),
     /// Another energy than the one whose extremal is taken.
     Composed(Box<Composed<'a>>),
 }
+
+/// Largest degree at which samples made orthonormal keep the digits of J.
+const SEPARABLE_TO: usize = 20;
+
+/// Largest degree at which Gram matrices do.
+const PARAMETRIC_TO: usize = 12;
 
 impl<'a> Reduced<'a> {
     pub(super) fn new(
@@ -47,6 +56,10 @@ impl<'a> Reduced<'a> {
             SolverChoice::Auto => splits && prefers_separable(net),
             SolverChoice::Dense | SolverChoice::Sparse => false,
         };
+        let is_large = if separable { SEPARABLE_TO } else { PARAMETRIC_TO } < m.max(n);
+        if solved_for && is_large && m.min(n) >= 2 {
+            return Ok(Self::Minima(Box::new(Minima::new(net, method, energy)?)));
+        }
         if separable {
             let (u, v) = (affine_samples(m)?, affine_samples(n)?);
             let system = SeparableParametric::new(u, v, &interior(m), &interior(n), &net.coordinates())?;
@@ -66,6 +79,7 @@ impl<'a> Reduced<'a> {
         match self {
             Self::Parametric(_) => "parametric",
             Self::Separable(_) => "separable",
+            Self::Minima(_) => "conjugate-gradients",
             Self::Area(_) => "newton",
             Self::Composed(_) => "composed",
         }
@@ -78,7 +92,7 @@ impl<'a> Reduced<'a> {
                 Path::Fma => "fma",
                 Path::Portable => "portable",
             },
-            Self::Separable(_) | Self::Area(_) | Self::Composed(_) => "native",
+            Self::Separable(_) | Self::Minima(_) | Self::Area(_) | Self::Composed(_) => "native",
         }
     }
 }
@@ -118,6 +132,7 @@ impl Objective for Reduced<'_> {
                     values.fill(f64::NAN);
                 }
             }
+            Self::Minima(minima) => minima.evaluate(points, values),
             Self::Area(least) => least.evaluate(points, values),
             Self::Composed(composed) => composed.evaluate(points, values),
         }
@@ -138,6 +153,7 @@ impl Smooth for Reduced<'_> {
                 gradient.copy_from_slice(&by_shape);
                 value
             }
+            Self::Minima(minima) => minima.value_and_gradient(point, gradient),
             Self::Area(least) => least.value_and_gradient(point, gradient),
             Self::Composed(composed) => composed.value_and_gradient(point, gradient),
         }
