@@ -9,19 +9,24 @@ use super::rim::length;
 /// A quad longer than this many times its width is cut across, into four.
 const SLENDER: f64 = 4.0;
 
-/// Quads beyond which nothing more is cut.
-const MOST_FACES: usize = 512;
+/// One that is longer than this is no quad: the boundary runs back along itself there, and cutting across helps nothing.
+const DEGENERATE: f64 = 1e4;
+
+/// Times as many quads as there were, and that many more, beyond which nothing is cut.
+const MOST_TIMES: usize = 4;
+const MOST_MORE: usize = 40;
 
 /// Cuts slender quads, with the strips across which they lie, and makes the complex.
 pub(super) fn cut_across(blueprint: &mut Blueprint, degree: usize) -> Result<Complex, CuttingError> {
     let mut complex = blueprint.complex(degree)?;
+    let most = MOST_TIMES * blueprint.faces.len() + MOST_MORE;
     while let Some([a, b]) = slenderest(&complex) {
         let before = blueprint.clone();
         // In two, then both halves.
         let Some(middle) = blueprint.halve_strip(a, b) else { break };
         blueprint.halve_strip(a, middle);
         blueprint.halve_strip(middle, b);
-        if blueprint.faces.len() > MOST_FACES {
+        if blueprint.faces.len() > most {
             *blueprint = before;
             break;
         }
@@ -39,7 +44,7 @@ fn slenderest(complex: &Complex) -> Option<[usize; 2]> {
         let [v0, u1, v1, u0] = face.edges();
         let (along, across) = (lengths[v0] + lengths[v1], lengths[u0] + lengths[u1]);
         let (ratio, edge) = if along > across { (along / across, v0) } else { (across / along, u1) };
-        if ratio > worst.0 && ratio.is_finite() {
+        if ratio > worst.0 && ratio < DEGENERATE {
             worst = (ratio, Some(complex.edges()[edge].ends()));
         }
     }
