@@ -61,11 +61,14 @@ impl Jet {
     }
 
     /// The unit normal x_u × x_v / |x_u × x_v|; none where the patch is singular, that is where the two tangents
-    /// are parallel to within rounding or one of them vanishes.
+    /// are parallel to within rounding or one of them is no more than the rounding of the coordinates.
     pub fn normal(&self) -> Option<Point> {
         let cross = self.u.cross(self.v);
-        let scale = self.u.norm() * self.v.norm();
-        if cross.norm() > 16.0 * f64::EPSILON * scale { cross.unit() } else { None }
+        let (u, v) = (self.u.norm(), self.v.norm());
+        // Of a side in one point P the tangent is a sum of terms ±P that cancel: what they leave is not 0 but rounding of P.
+        let rounding = 64.0 * f64::EPSILON * self.point.norm();
+        let least = (16.0 * f64::EPSILON * u * v).max(rounding * u.max(v));
+        if cross.norm() > least { cross.unit() } else { None }
     }
 
     /// Area density √(EG − F²) = |x_u × x_v|, from the vector product: no cancellation.

@@ -171,6 +171,29 @@ fn singular_points_have_no_curvature_but_a_normal_in_the_mesh() {
     assert!(mesh.normals.iter().all(|n| (n.norm() - 1.0).abs() < 1e-14));
 }
 
+proptest! {
+    #[test]
+    fn a_side_in_one_point_is_singular_wherever_it_lies(
+        net in sized_net(),
+        pole in [-1.0..1.0f64, -1.0..1.0, -1.0..1.0],
+        (direction, exponent) in ([-1.0..1.0f64, -1.0..1.0, -1.0..1.0], -3..7i32),
+    ) {
+        let far = Point::from(direction) * 10f64.powi(exponent) + Point::from(pole);
+        let cols = net.cols();
+        // One side in a point; the others lie on a smooth sheet, so that only it is singular.
+        let at = |k: usize| match (k / cols, k % cols) {
+            (0, _) => Point::ZERO,
+            (i, j) => Point::new(i as f64, j as f64, 0.1 * net.points()[k].z),
+        };
+        let points = (0..net.points().len()).map(|k| far + at(k)).collect();
+        let patch = TensorPatch::bernstein(Net::new(net.rows(), cols, points).unwrap()).unwrap();
+        let mesh = Mesh::of(&patch, 8);
+        for (parameters, h) in mesh.parameters.iter().zip(&mesh.mean_curvature) {
+            prop_assert_eq!(h.is_none(), parameters[0] == 0.0, "{:?} {:?}", parameters, h);
+        }
+    }
+}
+
 #[test]
 fn meshes_converge_to_the_patch_and_face_its_normals() {
     let patch = paraboloid(1.0);
