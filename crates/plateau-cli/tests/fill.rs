@@ -117,3 +117,20 @@ fn what_cannot_be_filled_or_written_says_what_to_do() {
         assert!(out.stdout.is_empty(), "{arguments:?}");
     }
 }
+
+#[test]
+fn running_a_file_of_curves_says_what_fills_it() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();
+    fs::write(folder.path().join("notes.txt"), "no curves here, and no experiment\n").unwrap();
+    for (name, said) in [("hexagon.obj", true), ("notes.txt", false)] {
+        let run = Command::new(env!("CARGO_BIN_EXE_plateau"))
+            .args(["run", name])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(2), "{name}");
+        let told = text(&run.stderr).contains(&format!("plateau fill {name} -o surface.step"));
+        assert_eq!(told, said, "{name}: {}", text(&run.stderr));
+    }
+}

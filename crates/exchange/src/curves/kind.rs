@@ -61,16 +61,16 @@ impl Advice {
         match self {
             Self::Mesh => {
                 "a mesh has no boundary curves of its own: export the curves of its rim as OBJ lines, CSV, STEP or DXF, then \
-                 `plateau import rim.obj > boundary.toml`"
+                 `plateau fill rim.obj -o surface.step`"
             }
             Self::Picture => {
-                "points are needed: write them as a table x,y,z, then `plateau import rim.csv > boundary.toml`"
+                "points are needed: write them as a table x,y,z, then `plateau fill rim.csv -o surface.step`"
             }
             Self::Curves => {
-                "export its curves as STEP, ASCII DXF, OBJ lines or a table x,y,z, then `plateau import rim.step > boundary.toml`"
+                "export its curves as STEP, ASCII DXF, OBJ lines or a table x,y,z, then `plateau fill rim.step -o surface.step`"
             }
-            Self::AsciiDxf => "save it as ASCII DXF, then `plateau import rim.dxf > boundary.toml`",
-            Self::Step => "save it as STEP, then `plateau import rim.step > boundary.toml`",
+            Self::AsciiDxf => "save it as ASCII DXF, then `plateau fill rim.dxf -o surface.step`",
+            Self::Step => "save it as STEP, then `plateau fill rim.step -o surface.step`",
             Self::Unpack => "unpack it first",
         }
     }
@@ -189,13 +189,13 @@ fn foreign(bytes: &[u8], content: &[u8]) -> Option<(&'static str, &'static str)>
 fn archive(content: &[u8]) -> (&'static str, &'static str) {
     let head = String::from_utf8_lossy(content);
     if head.contains("xl/workbook") {
-        ("an Excel workbook", "save the sheet as CSV, then `plateau import rim.csv > boundary.toml`")
+        ("an Excel workbook", "save the sheet as CSV, then `plateau fill rim.csv -o surface.step`")
     } else if head.contains("3D/3dmodel") {
         ("a 3MF file, a mesh", Advice::Mesh.sentence())
     } else if head.contains("Document.xml") {
         ("a FreeCAD document", Advice::Step.sentence())
     } else if head.contains("opendocument.spreadsheet") {
-        ("a spreadsheet (ODS)", "save the sheet as CSV, then `plateau import rim.csv > boundary.toml`")
+        ("a spreadsheet (ODS)", "save the sheet as CSV, then `plateau fill rim.csv -o surface.step`")
     } else {
         ("an archive (zip)", Advice::Unpack.sentence())
     }
@@ -223,6 +223,6 @@ fn json(head: &str) -> (&'static str, &'static str) {
     } else if head.contains("\"asset\"") {
         ("a glTF file, a mesh", Advice::Mesh.sentence())
     } else {
-        ("a JSON file", "write the points as a table x,y,z, then `plateau import rim.csv > boundary.toml`")
+        ("a JSON file", "write the points as a table x,y,z, then `plateau fill rim.csv -o surface.step`")
     }
 }

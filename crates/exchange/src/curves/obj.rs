@@ -362,7 +362,7 @@ fn nothing(reader: &Reader) -> CurveFileError {
     CurveFileError::File(if reader.faces > 0 {
         format!(
             "is a mesh of {} faces without lines (elements `l`) or curves (`curv`): export the rim as curves or edges, in Blender by selecting \
-             the edges of the rim, separating them and exporting the selection, then `plateau import rim.obj > boundary.toml`",
+             the edges of the rim, separating them and exporting the selection, then `plateau fill rim.obj -o surface.step`",
             reader.faces
         )
     } else {

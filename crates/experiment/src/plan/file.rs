@@ -50,8 +50,8 @@ impl Plan {
         if text.len() as u64 > MAX_FILE_SIZE {
             return Err(Refusal::new(file, "", vec![too_large(text.len() as u64)]));
         }
-        let document =
-            text::parse(text, &EXPERIMENT).map_err(|diagnostics| Refusal::new(file, text, diagnostics))?;
+        let document = text::parse(text, &EXPERIMENT)
+            .map_err(|diagnostics| Refusal::new(file, text, of_curves(file, text, diagnostics)))?;
         let faults = Faults::new(text);
         let plan = plan(&Table::root(&faults, &EXPERIMENT, &document), file);
         let diagnostics = faults.finish();
@@ -60,6 +60,24 @@ impl Plan {
             _ => Err(Refusal::new(file, text, diagnostics)),
         }
     }
+}
+
+/// What is wrong with a text that is not TOML; of a file of curves, also what to do with it.
+fn of_curves(file: &str, text: &str, mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let named_experiment =
+        Path::new(file).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if named_experiment || exchange::read_curves(text.as_bytes(), file).is_err() {
+        return diagnostics;
+    }
+    if !diagnostics.is_empty() {
+        let help = format!(
+            "this is a file of curves: `plateau fill {} -o surface.step` spans them, `plateau import` makes an experiment of them",
+            show::Printable(file)
+        );
+        let first = diagnostics.remove(0).help(help);
+        diagnostics.insert(0, first);
+    }
+    diagnostics
 }
 
 /// The text of a file that is not too large.
