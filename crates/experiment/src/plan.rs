@@ -17,6 +17,7 @@ mod method;
 mod patch;
 mod search;
 mod shape;
+mod side;
 
 pub use self::experiment::stem;
 

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::{Energy, Interior, Method, MethodError, Patch, Shape};
+use crate::{Energy, Interior, Method, Patch, Shape};
 
 /// What is offered to a lower degree than [`MAX_DEGREE`](crate::MAX_DEGREE), because its system is solved in control points: their condition is beyond
 /// double precision at the next degrees, whatever the boundary.
@@ -34,9 +34,9 @@ impl DegreeLimit {
         }
     }
 
-    /// Refuses boundaries of these degrees once raised, if they are too high.
-    pub(crate) fn admits(self, (m, n): (usize, usize), raise: usize) -> Result<(), MethodError> {
-        if m.max(n) + raise <= self.degree() { Ok(()) } else { Err(self.into()) }
+    /// Refuses boundaries of these degrees once raised, if they are too high: the limit itself is what is wrong.
+    pub(crate) fn admits(self, (m, n): (usize, usize), raise: usize) -> Result<(), Self> {
+        if m.max(n) + raise <= self.degree() { Ok(()) } else { Err(self) }
     }
 }
 

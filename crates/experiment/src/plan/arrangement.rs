@@ -3,7 +3,7 @@
 use plateau::{TensorBoundary, TriangleBoundary};
 use surfaces::Point;
 
-use super::boundary::Side;
+use super::side::Side;
 use crate::diagnostic::{Diagnostic, Fault};
 
 /// Which points belong under which name, and in which order, for all sides to meet.

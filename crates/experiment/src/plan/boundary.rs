@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::arrangement::Arrangement;
+use super::side::Side;
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::boundary::{
     AB, BC, CA, SIDES_OF_A_NET, SIDES_OF_A_TRIANGLE, U_DEGREE, U0, U1, V_DEGREE, V0, V1,
@@ -25,19 +26,6 @@ pub(super) struct Sides {
     pub(super) kind: Option<Kind>,
     pub(super) header: Range<usize>,
     pub(super) boundary: Option<Boundary>,
-}
-
-/// One list of points with its key.
-pub(super) struct Side {
-    pub(super) name: &'static str,
-    pub(super) span: Range<usize>,
-    pub(super) list: PointList,
-}
-
-impl Side {
-    fn points(&self) -> Vec<Point> {
-        self.list.points.iter().map(|point| Point::from(*point.get_ref())).collect()
-    }
 }
 
 /// The keys of `[boundary]`, read.
