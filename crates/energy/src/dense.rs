@@ -51,6 +51,23 @@ impl DenseForm {
         self.apply(x).iter().zip(x).map(|(q, x)| q * x).sum()
     }
 
+    /// What the terms of the energy of the net `x` sum to without their signs, `Σ |Q_ij| |X_i · X_j|`: times the unit of rounding, it
+    /// bounds the rounding of [`Self::value`] to within the number of terms.
+    ///
+    /// # Panics
+    /// If `x` is not 3 × points long.
+    #[track_caller]
+    pub fn magnitude(&self, x: &[f64]) -> f64 {
+        let n = self.points();
+        assert_eq!(x.len(), 3 * n, "coordinates of a net of {n} points");
+        let points: Vec<&[f64]> = x.chunks_exact(3).collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let row = |i: usize| -> f64 {
+            self.matrix.row(i).iter().zip(&points).map(|(q, p)| (q * dot(points[i], p)).abs()).sum()
+        };
+        (0..n).map(row).sum()
+    }
+
     /// The gradient `2 Q X` of the energy, in the layout of `x`.
     ///
     /// # Panics

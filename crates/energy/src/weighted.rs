@@ -4,7 +4,7 @@ use bases::Matrix;
 use surfaces::{Domain, Jet, Patch, TensorPatch};
 
 use crate::product::{add_upper_product, mirrored};
-use crate::{DenseForm, EnergyError, TangentSamples};
+use crate::{DenseForm, EnergyError, Integral, TangentSamples};
 
 /// `D^g(x) = ∫ (G0 E − 2 F0 F + E0 G)/√(E0 G0 − F0²)` as a form of the net of x, with g = (E0, F0, G0) the first fundamental
 /// form of a fixed chart.
@@ -24,6 +24,8 @@ pub struct MetricForm {
     pub error: f64,
     /// Whether that fell below [`METRIC_TOLERANCE`] before the largest rule was reached.
     pub settled: bool,
+    /// The form by the rule of half as many points.
+    coarser: DenseForm,
 }
 
 /// Relative change of the entries of a [`MetricForm`] at which the rule is no longer doubled.
@@ -71,6 +73,20 @@ impl MetricForm {
         })
     }
 
+    /// D^g of the net with these coordinates, length²; its error is what the last doubling of the rule moved it by, and the rounding
+    /// of a sum over all entries.
+    ///
+    /// # Panics
+    /// If `coordinates` is not 3 × points of the net long.
+    #[track_caller]
+    #[must_use]
+    pub fn energy(&self, coordinates: &[f64]) -> Integral {
+        let value = self.form.value(coordinates);
+        let moved = (value - self.coarser.value(coordinates)).abs();
+        let rounding = f64::EPSILON * self.form.magnitude(coordinates);
+        Integral { value, error: moved + rounding, points: self.points, settled: self.settled }
+    }
+
     fn settle(
         first: usize,
         matrix: impl Fn(usize) -> Result<Matrix, EnergyError>,
@@ -84,7 +100,8 @@ impl MetricForm {
             let error = change.fold(0.0, f64::max) / next.max_abs();
             let settled = error <= METRIC_TOLERANCE;
             if settled || 2 * points > LARGEST_RULE {
-                return Ok(Self { form: DenseForm::new(next)?, points, error, settled });
+                let (form, coarser) = (DenseForm::new(next)?, DenseForm::new(last)?);
+                return Ok(Self { form, points, error, settled, coarser });
             }
             last = next;
         }

@@ -14,6 +14,8 @@ pub struct Figures {
     pub laplacian_defect: Integral,
     /// ∫‖x_uu‖² + 2‖x_uv‖² + ‖x_vv‖², length².
     pub bending: Integral,
+    /// ∫‖x_uv‖², length², of extremals of the Coons functional alone.
+    pub coons_functional: Option<Integral>,
     /// (D − A)/A: 0 exactly for conformal charts. None for a patch without area.
     pub conformality_gap: Option<f64>,
     /// Largest |H| at the vertices of the mesh, 1/length. None for a patch without area, or if it is singular at all of them.
@@ -78,11 +80,23 @@ impl Figures {
             area,
             laplacian_defect,
             bending,
+            coons_functional: None,
             conformality_gap: has_area.then(|| (dirichlet.value - area.value) / area.value),
             mean_curvature_max: largest.filter(|h| has_area && h.is_finite()),
             mean_curvature_rms: rms.filter(|rms| rms.is_finite()),
             mean_curvature_square: square,
         })
+    }
+
+    /// ∫‖x_uv‖² of `patches`.
+    ///
+    /// # Errors
+    /// As [`energy::integrate`].
+    pub(crate) fn coons_functional(&self, patches: &[&dyn Patch]) -> Result<Integral, EnergyError> {
+        let scale = self.dirichlet.value;
+        let [functional] =
+            summed(patches, |patch| integrate(patch, TOLERANCE, [scale], |jet| [jet.uv.dot(jet.uv)]))?;
+        Ok(functional)
     }
 }
 

@@ -39,6 +39,7 @@ mod cutting;
 mod degeneracy;
 mod degenerate;
 mod degree_limit;
+mod done;
 mod error;
 mod family;
 mod figures;
@@ -74,6 +75,7 @@ pub use cutting::{CurveGraph, CutBoundary, Cutting, CuttingError, FaceSide, Grap
 pub use degeneracy::Degeneracy;
 pub use degenerate::degeneracies;
 pub use degree_limit::DegreeLimit;
+pub use done::Done;
 pub use energy::ReferenceTriangle;
 pub use error::MethodError;
 pub use family::Family;
@@ -88,9 +90,9 @@ pub use least_area::{
 };
 pub use lower_bound::{Competitors, LowerBound, NoBound, lower_bound};
 pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};
-pub use outcome::{Done, MethodResult, Results};
+pub use outcome::{MethodResult, Results};
 pub use progress::Progress;
-pub use quantity::Quantity;
+pub use quantity::{Measured, Quantity};
 pub use seams::{Kink, Seams};
 pub use search::{MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchMode, SearchOutcome, SearchRun, Variant};
 pub use solve::solve;

@@ -1,90 +1,160 @@
-//! The figures of a result by name.
+//! The figures of a result: one table of them, which whatever lists, expects, compares or shows figures follows from.
 
 use std::fmt;
 
-/// A figure of a result, named as in `result.json` but in kebab-case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
-    /// `dirichlet`.
-    Dirichlet,
-    /// `area`.
-    Area,
-    /// `laplacian-defect`.
-    LaplacianDefect,
-    /// `bending`.
-    Bending,
-    /// `conformality-gap`.
-    ConformalityGap,
-    /// `mean-curvature-max`: `mean_curvature.max_abs` of the result.
-    MeanCurvatureMax,
-    /// `mean-curvature-rms`: `mean_curvature.rms` of the result.
-    MeanCurvatureRms,
-    /// `residual`.
-    Residual,
-    /// `boundary-deviation`.
-    BoundaryDeviation,
-    /// `harmonic-bound`.
-    HarmonicBound,
-    /// `deviation`, of helicoids.
-    Deviation,
-    /// `shape`: the shape parameter of this index, in α1, α2, β1, β2.
-    Shape(usize),
-    /// `search-minimum`: the least best value of the search's runs.
-    SearchMinimum,
-    /// `curvature`, of curves: at the sample of this index.
-    Curvature(usize),
+use energy::Integral;
+
+use crate::Done;
+
+/// The value of a figure, with its error if it has one of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// The value.
+    pub value: f64,
+    /// A bound of its error, in the same unit.
+    pub error: Option<f64>,
+}
+
+impl From<f64> for Measured {
+    fn from(value: f64) -> Self {
+        Self { value, error: None }
+    }
+}
+
+impl From<Integral> for Measured {
+    fn from(integral: Integral) -> Self {
+        Self { value: integral.value, error: Some(integral.error) }
+    }
+}
+
+/// What is known of a figure beside its value.
+struct Row {
+    name: &'static str,
+    key: &'static str,
+    power: i32,
+    meaning: &'static str,
+    value: fn(&Done, usize) -> Option<Measured>,
+}
+
+/// The enum of figures, the list of them and their rows, from one line each: variant, name, place in a record, power of the length in the
+/// unit, meaning, value.
+macro_rules! quantities {
+    ($($variant:ident $([$index:ident])? = $name:literal, $key:literal, $power:literal, $meaning:literal, $value:expr;)*) => {
+        /// A figure of a result.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Quantity {
+            $(#[doc = $meaning] $variant $((quantities!(@type $index)))?,)*
+        }
+
+        impl Quantity {
+            /// Every figure; of those with an index, the first.
+            pub const ALL: &'static [Self] = &[$(Self::$variant $((quantities!(@zero $index)))?),*];
+
+            const fn row(self) -> Row {
+                match self {
+                    $(Self::$variant { .. } => Row { name: $name, key: $key, power: $power, meaning: $meaning, value: $value },)*
+                }
+            }
+
+            /// The same figure at an index, if it has one.
+            #[must_use]
+            pub const fn at(self, index: usize) -> Self {
+                match self {
+                    $(Self::$variant { .. } => Self::$variant $(({ let $index = index; $index }))?,)*
+                }
+            }
+
+            /// Its index, if it has one.
+            const fn index(self) -> Option<usize> {
+                match self {
+                    $(Self::$variant $(($index))? => quantities!(@index $($index)?),)*
+                }
+            }
+        }
+    };
+    (@type $index:ident) => { usize };
+    (@zero $index:ident) => { 0 };
+    (@index) => { None };
+    (@index $index:ident) => { Some($index) };
+}
+
+quantities! {
+    Dirichlet = "dirichlet", "dirichlet", 2, "the Dirichlet energy ½∫(E + G), length²",
+        |done, _| Some(done.figures.dirichlet.into());
+    Area = "area", "area", 2, "the area ∫√(EG − F²), length²", |done, _| Some(done.figures.area.into());
+    LaplacianDefect = "laplacian-defect", "laplacian_defect", 2, "∫‖S_uu + S_vv‖², length²",
+        |done, _| Some(done.figures.laplacian_defect.into());
+    Bending = "bending", "bending", 2, "∫‖S_uu‖² + 2‖S_uv‖² + ‖S_vv‖², length²", |done, _| Some(done.figures.bending.into());
+    CoonsFunctional = "coons-functional", "coons_functional", 2, "∫‖S_uv‖² of extremals of the Coons functional, length²",
+        |done, _| done.figures.coons_functional.map(Into::into);
+    MetricDirichlet = "metric-dirichlet", "metric_dirichlet", 2,
+        "D^g of metric corrections, the Dirichlet energy in the metric of the surface before the last; at least 2·area; length²",
+        |done, _| done.solved.solve?.metric.map(Into::into);
+    ConformalityGap = "conformality-gap", "conformality_gap", 0, "(D − A)/A, 0 exactly for conformal charts",
+        |done, _| done.figures.conformality_gap.map(Into::into);
+    MeanCurvatureMax = "mean-curvature-max", "mean_curvature.max_abs", -1, "the largest |H| at the vertices of the mesh, 1/length",
+        |done, _| done.figures.mean_curvature_max.map(Into::into);
+    MeanCurvatureRms = "mean-curvature-rms", "mean_curvature.rms", -1, "the root mean square of H over the area, 1/length",
+        |done, _| done.figures.mean_curvature_rms.map(Into::into);
+    Residual = "residual", "residual", 0, "the scaled residual of the linear system: about 1 is rounding, above 30 a failure",
+        |done, _| done.solved.solve.map(|solve| solve.residual.into());
+    BoundaryDeviation = "boundary-deviation", "boundary_deviation", 1,
+        "the largest distance of the boundary curves from the Bernstein curves of the same net, length",
+        |done, _| done.boundary.map(|boundary| boundary.deviation.into());
+    HarmonicBound = "harmonic-bound", "harmonic_bound", 2,
+        "the least Dirichlet energy any map with the same boundary curves can have, length²",
+        |done, _| done.boundary.map(|boundary| Measured {
+            value: boundary.harmonic_bound,
+            error: Some(boundary.harmonic_bound_error),
+        });
+    Deviation = "deviation", "deviation", 1, "the largest distance to the closed form on the mesh, length; helicoids only",
+        |done, _| done.closed_form.map(|form| form.deviation.into());
+    Shape[k] = "shape", "shape", 0, "the shape parameters: one number for all of them, or a list",
+        |done, index| done.solved.shape.and_then(|shape| shape.get(index).copied()).map(Into::into);
+    SearchMinimum = "search-minimum", "search.minimum", 2, "the least best value of the search's runs",
+        |done, _| done.solved.search.as_ref().map(|search| search.minimum.into());
+    Curvature[k] = "curvature", "curvature", -1,
+        "the curvature of a curve at its samples: one number for all, or a list; signed for planar curves", |_, _| None;
 }
 
 impl Quantity {
     /// The name in experiment files (the same for every index).
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Dirichlet => "dirichlet",
-            Self::Area => "area",
-            Self::LaplacianDefect => "laplacian-defect",
-            Self::Bending => "bending",
-            Self::ConformalityGap => "conformality-gap",
-            Self::MeanCurvatureMax => "mean-curvature-max",
-            Self::MeanCurvatureRms => "mean-curvature-rms",
-            Self::Residual => "residual",
-            Self::BoundaryDeviation => "boundary-deviation",
-            Self::HarmonicBound => "harmonic-bound",
-            Self::Deviation => "deviation",
-            Self::Shape(_) => "shape",
-            Self::SearchMinimum => "search-minimum",
-            Self::Curvature(_) => "curvature",
-        }
+        self.row().name
     }
 
-    /// The same figure at an index, if it has one.
+    /// Where it stands in a method's entry of `result.json`; a dot leads into an object. The curvature of curves stands in `curve`.
     #[must_use]
-    pub fn at(self, index: usize) -> Self {
-        match self {
-            Self::Shape(_) => Self::Shape(index),
-            Self::Curvature(_) => Self::Curvature(index),
-            Self::Dirichlet
-            | Self::Area
-            | Self::LaplacianDefect
-            | Self::Bending
-            | Self::ConformalityGap
-            | Self::MeanCurvatureMax
-            | Self::MeanCurvatureRms
-            | Self::Residual
-            | Self::BoundaryDeviation
-            | Self::HarmonicBound
-            | Self::Deviation
-            | Self::SearchMinimum => self,
-        }
+    pub const fn key(self) -> &'static str {
+        self.row().key
+    }
+
+    /// It scales as this power of a length.
+    #[must_use]
+    pub const fn power(self) -> i32 {
+        self.row().power
+    }
+
+    /// What it is, with its unit.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        self.row().meaning
+    }
+
+    /// Its value for a patch with its error; none where it has no meaning.
+    #[must_use]
+    pub fn of(self, done: &Done) -> Option<Measured> {
+        (self.row().value)(done, self.index().unwrap_or(0))
     }
 }
 
 impl fmt::Display for Quantity {
     /// The name, with the index where there is one: `shape[2]`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Shape(k) | Self::Curvature(k) => write!(f, "{}[{k}]", self.name()),
-            _ => f.write_str(self.name()),
+        match self.index() {
+            Some(k) => write!(f, "{}[{k}]", self.name()),
+            None => f.write_str(self.name()),
         }
     }
 }

@@ -41,7 +41,7 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     memory::holds(memory::of_mesh(context.mesh))?;
     context.progress.begin(&format!("figures of {}", method.name), None);
     let mut mesh = solved.surface.mesh(context.mesh);
-    let figures = Figures::of_moved(&[solved.surface.patch()], &mesh, origin.norm());
+    let figures = figures(&solved, &mesh, origin);
     context.progress.end();
     let figures = figures?;
     let boundary = match &solved.surface {
@@ -52,6 +52,16 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     solved.surface = solved.surface.moved(origin)?;
     mesh.points.iter_mut().for_each(|p| *p += origin);
     Ok(Done { solved, mesh, figures, boundary, closed_form: None, warnings })
+}
+
+/// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.
+fn figures(solved: &Solved, mesh: &surfaces::Mesh, origin: surfaces::Point) -> Result<Figures, MethodError> {
+    let patches = [solved.surface.patch()];
+    let mut figures = Figures::of_moved(&patches, mesh, origin.norm())?;
+    if solved.minimised == Some(Energy::Coons) {
+        figures.coons_functional = Some(figures.coons_functional(&patches)?);
+    }
+    Ok(figures)
 }
 
 /// The patch of least area on the border of `patch`, not above those at hand.

@@ -39,6 +39,8 @@ pub struct SolveFigures {
     /// For conjugate gradients: how far, at most, the parts of the extremal reach that no control net in doubles holds and that
     /// were left out; share of the size of the boundary.
     pub left_out: Option<f64>,
+    /// For metric corrections: the energy D^g of the last, whose extremal the net is.
+    pub metric: Option<energy::Integral>,
 }
 
 impl SolveFigures {
@@ -50,6 +52,7 @@ impl SolveFigures {
         basis_condition: None,
         certified: None,
         left_out: None,
+        metric: None,
     };
 
     /// Of the extremal of a form with some points fixed, by a dense factorisation.
@@ -65,6 +68,7 @@ impl SolveFigures {
             condition: solution.condition,
             basis_condition: None,
             left_out: None,
+            metric: None,
             certified: Some(solve::proves_positive_definite(partition.free().len(), &block)?),
         })
     }

@@ -78,6 +78,9 @@ fn of_solve(solve: &SolveFigures, warnings: &mut Vec<Warning>) {
     if condition > ILL_CONDITIONED {
         warnings.push(Warning::IllConditioned { condition });
     }
+    if let Some(metric) = solve.metric.filter(|metric| !metric.settled) {
+        warnings.push(Warning::MetricUnsettled { points: metric.points, error: metric.error });
+    }
     if solve.residual > FAILED {
         warnings.push(Warning::Residual { residual: solve.residual });
     }

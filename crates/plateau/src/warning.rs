@@ -64,6 +64,17 @@ pub enum Warning {
         /// As LAPACK's tests scale it.
         residual: f64,
     },
+    /// The metric of a correction was not integrated.
+    #[error(
+        "the metric of the last correction has not settled by a rule of {points}² points: D^g is uncertain by {error:.1e}, and the net with \
+         it; the surface before it nearly folds"
+    )]
+    MetricUnsettled {
+        /// Points of the rule in each direction.
+        points: usize,
+        /// The error of D^g.
+        error: f64,
+    },
     /// Parts of an extremal of high degree that no control net can hold.
     #[error(
         "parts of the extremal that move no point by more than {share:.1e} of the size are left out: rounding of their control \
@@ -266,6 +277,7 @@ impl Warning {
             Self::IllConditioned { .. } => {
                 Some("lower the degree if the control points themselves are wanted")
             }
+            Self::MetricUnsettled { .. } => Some("take fewer steps, or look for the least area itself"),
             Self::Residual { .. } => Some("lower the degree, or choose the separable solver"),
             Self::Cancellation { .. } => Some("lower the degree"),
             Self::AreaNotReached { .. } => Some("raise the degree, or loosen the tolerance"),

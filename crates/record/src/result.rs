@@ -6,7 +6,7 @@ use surfaces::TriangleNet;
 use crate::{Manifest, SCHEMA};
 use exchange::SurfaceForm;
 use experiment::{Finished, Missed, Plan};
-use plateau::MethodResult;
+use plateau::{MethodResult, Quantity};
 use plateau::{SearchOutcome, SearchRun, Surface};
 
 mod curve;
@@ -82,7 +82,11 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     coons_functional: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    coons_functional_error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     metric_dirichlet: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    metric_dirichlet_error: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     conformality_gap: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -175,6 +179,13 @@ struct MeanCurvature {
     max_abs: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     rms: Option<f64>,
+}
+
+impl MeanCurvature {
+    /// None if neither is known.
+    fn of(max_abs: Option<f64>, rms: Option<f64>) -> Option<Self> {
+        max_abs.or(rms).is_some().then_some(Self { max_abs, rms })
+    }
 }
 
 /// One patch of a complex: its vertices by name, in order round it, and its net.
@@ -357,26 +368,31 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         Ok(done) => done,
         Err(error) => return MethodEntry::Failed { name: result.name.clone(), error: error.to_string() },
     };
-    let f = &done.figures;
     let solve = done.solved.solve.as_ref();
+    let value = |quantity: Quantity| quantity.of(done).and_then(|figure| finite(figure.value));
+    let error = |quantity: Quantity| quantity.of(done).and_then(|figure| figure.error).and_then(finite);
     let (patch, basis) = done.solved.family.names();
     MethodEntry::Done(Box::new(DoneEntry {
         name: result.name.clone(),
         patch: patch.to_owned(),
         basis: basis.to_owned(),
-        dirichlet: finite(f.dirichlet.value),
-        dirichlet_error: finite(f.dirichlet.error),
-        area: finite(f.area.value),
-        area_error: finite(f.area.error),
-        laplacian_defect: finite(f.laplacian_defect.value),
-        laplacian_defect_error: finite(f.laplacian_defect.error),
-        bending: finite(f.bending.value),
-        bending_error: finite(f.bending.error),
-        coons_functional: None,
-        metric_dirichlet: None,
-        conformality_gap: f.conformality_gap.and_then(finite),
-        mean_curvature: (f.mean_curvature_max.or(f.mean_curvature_rms).is_some())
-            .then_some(MeanCurvature { max_abs: f.mean_curvature_max, rms: f.mean_curvature_rms }),
+        dirichlet: value(Quantity::Dirichlet),
+        dirichlet_error: error(Quantity::Dirichlet),
+        area: value(Quantity::Area),
+        area_error: error(Quantity::Area),
+        laplacian_defect: value(Quantity::LaplacianDefect),
+        laplacian_defect_error: error(Quantity::LaplacianDefect),
+        bending: value(Quantity::Bending),
+        bending_error: error(Quantity::Bending),
+        coons_functional: value(Quantity::CoonsFunctional),
+        coons_functional_error: error(Quantity::CoonsFunctional),
+        metric_dirichlet: value(Quantity::MetricDirichlet),
+        metric_dirichlet_error: error(Quantity::MetricDirichlet),
+        conformality_gap: value(Quantity::ConformalityGap),
+        mean_curvature: MeanCurvature::of(
+            value(Quantity::MeanCurvatureMax),
+            value(Quantity::MeanCurvatureRms),
+        ),
         shape: done.solved.shape,
         net: match &done.solved.surface {
             Surface::Tensor(patch) => Some(NetEntry::Rows(rows(patch.net()))),
@@ -393,9 +409,9 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             Surface::Tensor(_) | Surface::Triangle(_) => None,
         },
         weights: done.closed_form.and_then(|form| form.weights),
-        deviation: done.closed_form.map(|form| form.deviation).and_then(finite),
+        deviation: value(Quantity::Deviation),
         solver: solve.map(|s| s.solver.to_owned()),
-        residual: solve.and_then(|s| finite(s.residual)),
+        residual: value(Quantity::Residual),
         condition: solve.and_then(|s| finite(s.condition)),
         basis_condition: solve.and_then(|s| s.basis_condition).and_then(finite),
         certified: solve.and_then(|s| s.certified),
@@ -415,15 +431,15 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             }),
             left_saddle: found.left_saddle,
         }),
-        boundary_deviation: done.boundary.map(|b| b.deviation).and_then(finite),
+        boundary_deviation: value(Quantity::BoundaryDeviation),
         rim_deviation: None,
         kink: None,
         jacobian_ratio: done.solved.area.map(|found| found.jacobian_ratio).and_then(finite),
         area_estimate: None,
         lower_bound: None,
         spanned_one_by_one: None,
-        harmonic_bound: done.boundary.map(|b| b.harmonic_bound).and_then(finite),
-        harmonic_bound_error: done.boundary.map(|b| b.harmonic_bound_error).and_then(finite),
+        harmonic_bound: value(Quantity::HarmonicBound),
+        harmonic_bound_error: error(Quantity::HarmonicBound),
         search: done.solved.search.as_ref().map(search_entry),
         files: Vec::new(),
         warnings: done.warnings.iter().map(ToString::to_string).collect(),

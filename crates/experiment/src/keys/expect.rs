@@ -6,34 +6,7 @@ use serde_spanned::Spanned;
 
 use crate::text::{Entry, Form, Interval, Key, Kind, Name, Place, Reals, Section, Text, Value, Ways};
 
-/// The figures that may be expected, and what each of them is.
-static FIGURES: [(Quantity, &str); 14] = [
-    (Quantity::Dirichlet, "the Dirichlet energy ½∫(E + G), length²"),
-    (Quantity::Area, "the area ∫√(EG − F²), length²"),
-    (Quantity::LaplacianDefect, "∫‖S_uu + S_vv‖², length²"),
-    (Quantity::Bending, "∫‖S_uu‖² + 2‖S_uv‖² + ‖S_vv‖², length²"),
-    (Quantity::ConformalityGap, "(D − A)/A, 0 exactly for conformal charts"),
-    (Quantity::MeanCurvatureMax, "the largest |H| at the vertices of the mesh, 1/length"),
-    (Quantity::MeanCurvatureRms, "the root mean square of H over the area, 1/length"),
-    (Quantity::Residual, "the scaled residual of the linear system: about 1 is rounding, above 30 a failure"),
-    (
-        Quantity::BoundaryDeviation,
-        "the largest distance of the boundary curves from the Bernstein curves of the same net, length",
-    ),
-    (
-        Quantity::HarmonicBound,
-        "the least Dirichlet energy any map with the same boundary curves can have, length²",
-    ),
-    (Quantity::Deviation, "the largest distance to the closed form on the mesh, length; helicoids only"),
-    (Quantity::Shape(0), "the shape parameters: one number for all of them, or a list"),
-    (Quantity::SearchMinimum, "the least best value of the search's runs"),
-    (
-        Quantity::Curvature(0),
-        "the curvature of a curve at its samples: one number for all, or a list; signed for planar curves",
-    ),
-];
-
-const COUNT: usize = FIGURES.len();
+const COUNT: usize = Quantity::ALL.len();
 
 /// A number of an `expect` table, with its digits.
 #[derive(Clone, Debug)]
@@ -100,8 +73,8 @@ pub(crate) static KEYS: [Key<Expected>; COUNT] = {
     let mut keys = [Key::new("", Expected, ""); COUNT];
     let mut k = 0;
     while k < COUNT {
-        let (quantity, doc) = FIGURES[k];
-        keys[k] = Key::new(quantity.name(), Expected, doc)
+        let quantity = Quantity::ALL[k];
+        keys[k] = Key::new(quantity.name(), Expected, quantity.meaning())
             .such_as("1.5")
             .hint("expect an ordinary number, with as many digits as the result must reproduce");
         k += 1;
@@ -128,14 +101,14 @@ pub(crate) static SECTION: Section = Section {
 
 /// The keys of `expect` with the figures they are about.
 pub(crate) fn figures() -> impl Iterator<Item = (Quantity, &'static Key<Expected>)> {
-    FIGURES.iter().map(|(quantity, _)| *quantity).zip(&KEYS)
+    Quantity::ALL.iter().copied().zip(&KEYS)
 }
 
 static QUANTITIES: [(&str, Quantity); COUNT] = {
     let mut names = [("", Quantity::Dirichlet); COUNT];
     let mut k = 0;
     while k < COUNT {
-        names[k] = (FIGURES[k].0.name(), FIGURES[k].0);
+        names[k] = (Quantity::ALL[k].name(), Quantity::ALL[k]);
         k += 1;
     }
     names

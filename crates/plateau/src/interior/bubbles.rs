@@ -81,6 +81,7 @@ pub(crate) fn extremal(
         basis_condition: None,
         certified: None,
         left_out: Some(if left_out > 0.0 { left_out / start.net().size() } else { 0.0 }),
+        metric: None,
     };
     Ok((patch.with_net(net.with_coordinates(&coordinates)?)?, figures))
 }

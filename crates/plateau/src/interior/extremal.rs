@@ -39,6 +39,7 @@ pub(crate) fn solve(
         for _ in 0..metric_steps {
             let metric = MetricForm::of_tensor(&solved, &solved)?;
             (solved, figures) = by_matrix(patch, metric.form.matrix())?;
+            figures.metric = Some(metric.energy(&solved.net().coordinates()));
         }
     }
     Ok((solved, figures))
@@ -98,6 +99,7 @@ fn by_separation(patch: &TensorPatch, product: &Product) -> Result<(TensorPatch,
         basis_condition: Some(solution.basis_condition),
         certified: None,
         left_out: None,
+        metric: None,
     };
     Ok((patch.with_net(net.with_coordinates(&solution.x)?)?, figures))
 }

@@ -64,6 +64,7 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
         basis_condition: None,
         certified: None,
         left_out: None,
+        metric: None,
     };
     Ok((Net::new(m + 1, n + 1, coordinates)?, figures))
 }

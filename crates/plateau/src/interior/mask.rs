@@ -37,6 +37,7 @@ pub(super) fn solve(
         basis_condition: None,
         certified: None,
         left_out: None,
+        metric: None,
     };
     Ok((solved, figures))
 }

@@ -66,6 +66,7 @@ fn extremal(
     for _ in 0..metric_steps {
         let metric = MetricForm::of_triangle(&patch, net.degree())?;
         (patch, figures) = minimise(&metric.form, &net)?;
+        figures.metric = Some(metric.energy(&patch.net().coordinates()));
     }
     Ok((patch, figures))
 }

@@ -1,5 +1,6 @@
 //! Two records, number by number.
 
+use plateau::Quantity;
 use serde_json::Value;
 
 use super::{Difference, Level, Verified};
@@ -13,34 +14,45 @@ pub(super) struct Comparison {
     pub(super) slides: bool,
 }
 
-/// The keys of a method that say something of its surface, with the power of the length in their unit.
-const FIGURES: [(&str, i32); 25] = [
+/// The keys of a method that say something of its surface beside its figures, with the power of the length in their unit.
+const SURFACE: [(&str, i32); 13] = [
     ("patch", 0),
     ("basis", 0),
-    ("dirichlet", 2),
-    ("area", 2),
-    ("laplacian_defect", 2),
-    ("bending", 2),
-    ("coons_functional", 2),
-    ("metric_dirichlet", 2),
-    ("conformality_gap", 0),
-    ("mean_curvature", -1),
-    ("shape", 0),
     ("net", 1),
     ("faces", 1),
     ("domain", 0),
     ("pieces", 1),
     ("weights", 1),
-    ("deviation", 1),
-    ("boundary_deviation", 1),
     ("rim_deviation", 1),
     ("kink", 0),
     ("jacobian_ratio", 0),
     ("area_estimate", 2),
     ("lower_bound", 2),
     ("spanned_one_by_one", 2),
-    ("harmonic_bound", 2),
 ];
+
+/// All keys that are compared: the residual is rounding, and minima of searches are compared by themselves.
+fn compared() -> impl Iterator<Item = (&'static str, i32)> {
+    let is_of_the_surface = |quantity: &&Quantity| match quantity {
+        Quantity::Residual | Quantity::SearchMinimum | Quantity::Curvature(_) => false,
+        Quantity::Dirichlet
+        | Quantity::Area
+        | Quantity::LaplacianDefect
+        | Quantity::Bending
+        | Quantity::CoonsFunctional
+        | Quantity::MetricDirichlet
+        | Quantity::ConformalityGap
+        | Quantity::MeanCurvatureMax
+        | Quantity::MeanCurvatureRms
+        | Quantity::BoundaryDeviation
+        | Quantity::HarmonicBound
+        | Quantity::Deviation
+        | Quantity::Shape(_) => true,
+    };
+    let figures =
+        Quantity::ALL.iter().filter(is_of_the_surface).map(|quantity| (quantity.key(), quantity.power()));
+    SURFACE.into_iter().chain(figures)
+}
 
 /// What is determined of a method whose area is all but constant along some directions of its net: the points slide within the
 /// surface, and everything that depends on the parameters with them.
@@ -85,11 +97,12 @@ pub(super) fn figures(stored: &Value, computed: &Value) -> Comparison {
         let reason = method.pointer("/area_extremal/reason").and_then(Value::as_str);
         reason == Some(plateau::AreaExtremal::SLIDES)
     });
-    for (key, power) in FIGURES {
+    for (key, power) in compared() {
         if comparison.slides && !DETERMINED.contains(&key) {
             continue;
         }
-        let (theirs, ours) = (stored.get(key), computed.get(key));
+        let pointer = format!("/{}", key.replace('.', "/"));
+        let (theirs, ours) = (stored.pointer(&pointer), computed.pointer(&pointer));
         let is_minimum =
             ours.and_then(Value::as_f64).is_some_and(|x| close(x, minimised, Level::TOLERANCE, 0.0));
         let tolerance = if searched && !is_minimum { Level::SEARCHED } else { Level::TOLERANCE };

@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::standing::UNMOVED;
 use crate::number::Form;
-use plateau::{Done, Energy};
+use plateau::{Done, Energy, Quantity};
 
 /// Where a figure is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,18 +16,22 @@ pub(crate) enum Place {
     Minimised,
 }
 
+/// Which number of a figure.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Shows {
+    Value(Quantity),
+    /// The error of the area.
+    AreaError,
+}
+
 /// A figure as tables show it.
 pub(crate) struct Figure {
-    /// Where it stands in a method's entry of `result.json`; a dot leads into an object.
-    pub(crate) key: &'static str,
+    /// What it shows.
+    pub(crate) shows: Shows,
     /// The heading of its column.
     pub(crate) heading: &'static str,
     /// The line below the heading; if empty, the unit.
     pub(crate) beneath: &'static str,
-    /// It scales as this power of a length.
-    pub(crate) power: i32,
-    /// Its value; none where it has no meaning.
-    pub(crate) value: fn(&Done) -> Option<f64>,
     /// How it is written.
     pub(crate) form: Form,
     /// Beside a patch of size 1 (the root of its Dirichlet energy), this much is rounding, and what is written instead.
@@ -43,145 +47,135 @@ pub(crate) struct Figure {
     pub(crate) energy: Option<Energy>,
 }
 
-/// A figure of no unit that exists only for some patches; the others say what differs.
-const PLAIN: Figure = Figure {
-    key: "",
-    heading: "",
-    beneath: "",
-    power: 0,
-    value: |_| None,
-    form: Form::Order,
-    rounding: (0.0, "0"),
-    vanishes_if_exact: false,
-    missing: "",
-    place: Place::Everywhere,
-    rank: 0,
-    energy: None,
-};
+/// What most figures are, which exist only for some patches; the others say what differs.
+const fn plain(quantity: Quantity) -> Figure {
+    Figure {
+        shows: Shows::Value(quantity),
+        heading: "",
+        beneath: "",
+        form: Form::Order,
+        rounding: (0.0, "0"),
+        vanishes_if_exact: false,
+        missing: "",
+        place: Place::Everywhere,
+        rank: 0,
+        energy: None,
+    }
+}
 
 /// The rank of an energy that was minimised.
 const MINIMISED: u8 = 1;
 
 /// All of them, in the order of the columns.
-pub(crate) const FIGURES: [Figure; 11] = [
+pub(crate) const FIGURES: [Figure; 13] = [
     Figure {
-        key: "area",
         heading: "area A",
-        power: 2,
-        value: |done| Some(done.figures.area.value),
         form: Form::Decimals(7),
         energy: Some(Energy::Area),
-        ..PLAIN
+        ..plain(Quantity::Area)
     },
+    Figure { shows: Shows::AreaError, heading: "± of A", rank: 3, ..plain(Quantity::Area) },
     Figure {
-        key: "area_error",
-        heading: "± of A",
-        power: 2,
-        value: |done| Some(done.figures.area.error),
-        rank: 3,
-        ..PLAIN
-    },
-    Figure {
-        key: "dirichlet",
         heading: "Dirichlet D",
-        power: 2,
-        value: |done| Some(done.figures.dirichlet.value),
         form: Form::Decimals(7),
         rank: 4,
         energy: Some(Energy::Dirichlet),
-        ..PLAIN
+        ..plain(Quantity::Dirichlet)
     },
     Figure {
-        key: "laplacian_defect",
         heading: "∫‖ΔS‖²",
-        power: 2,
-        value: |done| Some(done.figures.laplacian_defect.value),
         form: Form::Decimals(7),
         place: Place::Page,
         vanishes_if_exact: true,
         rank: 9,
         energy: Some(Energy::Laplacian),
-        ..PLAIN
+        ..plain(Quantity::LaplacianDefect)
     },
     Figure {
-        key: "bending",
         heading: "bending",
-        power: 2,
-        value: |done| Some(done.figures.bending.value),
         form: Form::Decimals(7),
         vanishes_if_exact: true,
         place: Place::Minimised,
         rank: 9,
         energy: Some(Energy::Bending),
-        ..PLAIN
+        ..plain(Quantity::Bending)
     },
     Figure {
-        key: "deviation",
-        heading: "deviation",
-        power: 1,
-        value: |done| done.closed_form.map(|form| form.deviation),
-        ..PLAIN
+        heading: "∫‖S_uv‖²",
+        form: Form::Decimals(7),
+        vanishes_if_exact: true,
+        rank: 9,
+        energy: Some(Energy::Coons),
+        ..plain(Quantity::CoonsFunctional)
     },
+    Figure { heading: "D^g", form: Form::Decimals(7), rank: 5, ..plain(Quantity::MetricDirichlet) },
+    Figure { heading: "deviation", ..plain(Quantity::Deviation) },
     Figure {
-        key: "boundary_deviation",
         heading: "boundary",
         beneath: "moved by",
-        power: 1,
-        value: |done| done.boundary.map(|boundary| boundary.deviation),
         form: Form::Decimals(4),
         rounding: (UNMOVED, "0"),
         rank: 5,
-        ..PLAIN
+        ..plain(Quantity::BoundaryDeviation)
     },
     Figure {
-        key: "conformality_gap",
         heading: "(D−A)/A",
-        value: |done| done.figures.conformality_gap,
         form: Form::Percent(4),
         vanishes_if_exact: true,
         rank: 7,
-        ..PLAIN
+        ..plain(Quantity::ConformalityGap)
     },
     Figure {
-        key: "mean_curvature.max_abs",
         heading: "max |H|",
-        power: -1,
-        value: |done| done.figures.mean_curvature_max,
         form: Form::Decimals(5),
         rounding: (1e-6, "0.00000"),
         missing: "singular",
         vanishes_if_exact: true,
         rank: 8,
-        ..PLAIN
+        ..plain(Quantity::MeanCurvatureMax)
     },
     Figure {
-        key: "mean_curvature.rms",
         heading: "rms H",
-        power: -1,
-        value: |done| done.figures.mean_curvature_rms,
         form: Form::Decimals(5),
         rounding: (1e-6, "0.00000"),
         place: Place::Page,
         vanishes_if_exact: true,
         rank: 9,
-        ..PLAIN
+        ..plain(Quantity::MeanCurvatureRms)
     },
-    Figure {
-        key: "harmonic_bound",
-        heading: "bound of D",
-        power: 2,
-        value: |done| done.boundary.map(|boundary| boundary.harmonic_bound),
-        form: Form::Decimals(7),
-        rank: 9,
-        ..PLAIN
-    },
+    Figure { heading: "bound of D", form: Form::Decimals(7), rank: 9, ..plain(Quantity::HarmonicBound) },
 ];
+
+impl Shows {
+    /// Where it stands in a method's entry of `result.json`.
+    fn key(self) -> &'static str {
+        match self {
+            Self::Value(quantity) => quantity.key(),
+            Self::AreaError => "area_error",
+        }
+    }
+
+    /// It scales as this power of a length.
+    fn power(self) -> i32 {
+        match self {
+            Self::Value(quantity) => quantity.power(),
+            Self::AreaError => Quantity::Area.power(),
+        }
+    }
+
+    fn of(self, done: &Done) -> Option<f64> {
+        match self {
+            Self::Value(quantity) => quantity.of(done).map(|measured| measured.value),
+            Self::AreaError => Quantity::Area.of(done).and_then(|measured| measured.error),
+        }
+    }
+}
 
 impl Figure {
     /// Its column.
     pub(crate) fn column(&self) -> Column {
-        let beneath = if self.beneath.is_empty() { unit(self.power) } else { self.beneath };
-        Column { key: self.key, rank: self.rank, ..Column::number(self.heading, beneath) }
+        let beneath = if self.beneath.is_empty() { unit(self.shows.power()) } else { self.beneath };
+        Column { key: self.shows.key(), rank: self.rank, ..Column::number(self.heading, beneath) }
     }
 
     /// Whether one of the patches is an extremal of this energy.
@@ -198,8 +192,8 @@ impl Figure {
 
     /// The figure of a patch in words; empty where there is none. `is_exact`: the experiment is of surfaces with a closed form.
     pub(crate) fn cell(&self, done: &Done, is_exact: bool) -> String {
-        let Some(value) = (self.value)(done) else { return self.missing.into() };
-        let unit = done.figures.dirichlet.value.sqrt().powi(self.power);
+        let Some(value) = self.shows.of(done) else { return self.missing.into() };
+        let unit = done.figures.dirichlet.value.sqrt().powi(self.shows.power());
         if is_exact && self.vanishes_if_exact && value.abs() < 1e-6 * unit {
             return Form::Order.of(value);
         }

@@ -7,6 +7,7 @@ use super::curve_table::{samples, summary};
 use super::figure::Place;
 use super::grid::grid;
 use crate::Printable;
+use crate::printable::columns;
 use plateau::Results;
 
 /// Most samples of a curve that are listed.
@@ -18,7 +19,7 @@ pub const WIDTH: usize = 80;
 /// The table as text: the title, one row a method, then the notes on them.
 ///
 /// No line of the table is longer than `room` columns of a terminal: columns are left out in a fixed order, from the last of
-/// these to the first: area, what was minimised, the excess over the least area, the error of the area, Dirichlet energy,
+/// these to the first: area, what was minimised, the excess over the least area, the error of the area, Dirichlet energy, D^g,
 /// boundary, shape, (D − A)/A, max |H|, bound of D. A line says which.
 pub fn table(results: &Results, room: usize) -> String {
     let mut text = format!("{}\n\n", Printable(&results.title));
@@ -34,7 +35,7 @@ pub fn table(results: &Results, room: usize) -> String {
             let (table, left_out) = grid(&cells(results, Place::Everywhere, usize::MAX), room);
             text += &table;
             if !left_out.is_empty() {
-                let _ = writeln!(text, "in result.json, too wide for here: {}", left_out.join(", "));
+                text += &listed("in result.json, too wide for here:", &left_out, room);
             }
         }
     }
@@ -42,6 +43,21 @@ pub fn table(results: &Results, room: usize) -> String {
         let _ = writeln!(text, "{}", Printable(&note));
     }
     text
+}
+
+/// What is said of some names, in lines of at most `room` columns if each name fits one.
+fn listed(said: &str, names: &[&str], room: usize) -> String {
+    let mut lines = vec![said.to_owned()];
+    for (k, name) in names.iter().enumerate() {
+        let word = format!(" {name}{}", if k + 1 < names.len() { "," } else { "" });
+        let last = lines.len() - 1;
+        if columns(&lines[last]) + columns(&word) <= room {
+            lines[last] += &word;
+        } else {
+            lines.push(format!(" {word}"));
+        }
+    }
+    lines.join("\n") + "\n"
 }
 
 /// What a reader must know, and what may be done about it: numbered where a row bears the number.
