@@ -33,7 +33,7 @@ pub(crate) enum Command {
     Run(RunArguments),
     /// Check experiment files without running them
     Check {
-        /// Experiment files (TOML)
+        /// Experiment files (TOML); - for stdin
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
@@ -73,7 +73,7 @@ pub(crate) enum Command {
 /// What `run` takes.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RunArguments {
-    /// Experiment files (TOML)
+    /// Experiment files (TOML); - for stdin
     #[arg(required = true, value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
     /// Folder of the results
@@ -300,12 +300,17 @@ impl From<io::Error> for Failure {
 pub(crate) fn read_plans(files: &[PathBuf]) -> Result<Vec<Plan>, Failure> {
     let mut plans = Vec::new();
     for file in files {
-        match Plan::read(file) {
+        match read_plan(file) {
             Ok(plan) => plans.push(plan),
             Err(refusal) => tell(&refusal),
         }
     }
     if plans.len() == files.len() { Ok(plans) } else { Err(Failure::Input) }
+}
+
+/// A file as a plan; `-` is stdin, whose results go to the folder `stdin`.
+fn read_plan(file: &Path) -> Result<Plan, Refusal> {
+    if file == Path::new("-") { Plan::read_from("stdin", &mut io::stdin().lock()) } else { Plan::read(file) }
 }
 
 /// The threads that were asked for.
@@ -340,7 +345,7 @@ pub(crate) fn distinct_stems(plans: &[Plan], out: &Path) -> Result<(), Failure> 
 pub(crate) fn check(files: &[PathBuf], stdout: &mut impl Write) -> Result<(), Failure> {
     let mut sound = true;
     for file in files {
-        match Plan::read(file) {
+        match read_plan(file) {
             Ok(plan) => line(stdout, &format!("{}: sound, {}", plan.file, subject(&plan)))?,
             Err(refusal) => {
                 stdout.flush()?;

@@ -1,6 +1,7 @@
 //! What a user sees: whole reports, and the command's streams and exit status.
 
 use std::fs;
+use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
@@ -124,6 +125,32 @@ fn unreadable_files_get_one_clear_line() {
         assert_eq!(report.matches("error:").count(), 1, "{report}");
         assert!(report.contains("help: "), "{report}");
     }
+}
+
+#[test]
+fn a_dash_is_stdin() {
+    let through = |command: &[&str], text: &str| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_plateau"))
+            .args(command)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        child.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("it reads");
+        child.wait_with_output().expect("it ends")
+    };
+    let folder = Folder::new("stdin");
+    let sound = through(&["check", "-"], Template::Curve.text());
+    assert_eq!((sound.status.code(), text(&sound.stderr)), (Some(0), String::new()));
+    assert!(text(&sound.stdout).starts_with("stdin: sound, "), "{}", text(&sound.stdout));
+    let bad = through(&["check", "-"], &Template::Curve.text().replace("[curve]", "[kurve]"));
+    assert_eq!(bad.status.code(), Some(2));
+    assert!(text(&bad.stderr).contains("stdin:5:2"), "{}", text(&bad.stderr));
+    let out = folder.0.join("out").display().to_string();
+    let run = through(&["run", "-", "--out", &out], Template::Curve.text());
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    assert!(folder.0.join("out/stdin/result.json").exists());
 }
 
 #[test]

@@ -19,10 +19,17 @@ impl Plan {
     /// A [`Refusal`] with every fault that could be told apart: the file cannot be opened, is larger
     /// than [`MAX_FILE_SIZE`], is not UTF-8 or not TOML, or asks for something that does not make sense.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Refusal> {
-        let path = path.as_ref();
-        let file = path.display().to_string();
-        let text = load(path)?;
-        Self::parse(&file, &text)
+        let file = path.as_ref().display().to_string();
+        Self::parse(&file, &contents(&file, &mut open(path.as_ref())?)?)
+    }
+
+    /// Reads and checks an experiment from a stream; `file` names it in messages, and its stem names the output folder.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::read`].
+    pub fn read_from(file: &str, stream: &mut dyn Read) -> Result<Self, Refusal> {
+        Self::parse(file, &contents(file, stream)?)
     }
 
     /// Checks the text of an experiment file; `file` names it in messages, and its stem names the output folder.
@@ -80,35 +87,27 @@ fn of_curves(file: &str, text: &str, mut diagnostics: Vec<Diagnostic>) -> Vec<Di
     diagnostics
 }
 
-/// The text of a file that is not too large.
-fn load(path: &Path) -> Result<String, Refusal> {
-    let refuse = |diagnostic| Refusal::new(&path.display().to_string(), "", vec![diagnostic]);
-    let unreadable = |error: std::io::Error| {
-        let (message, help) = match error.kind() {
-            ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name and the folder"),
-            ErrorKind::IsADirectory => is_directory(),
-            ErrorKind::PermissionDenied => (
-                "the file may not be read".to_owned(),
-                "ask for the permission to read it, or copy it elsewhere",
-            ),
-            ErrorKind::InvalidData => not_utf8(),
-            _ => (format!("the file cannot be read: {error}"), "check the file and the disk it lies on"),
-        };
-        refuse(Diagnostic::whole_file(Fault::File, format!("{}: {message}", path.display())).help(help))
-    };
+/// A file that is there, and not larger than is read.
+fn open(path: &Path) -> Result<File, Refusal> {
+    let name = path.display().to_string();
+    let unreadable = |error| unreadable(&name, &error);
     let file = File::open(path).map_err(unreadable)?;
     let metadata = file.metadata().map_err(unreadable)?;
     if metadata.is_dir() {
         return Err(unreadable(ErrorKind::IsADirectory.into()));
     }
     if metadata.len() > MAX_FILE_SIZE {
-        return Err(refuse(too_large_file(path, metadata.len())));
+        return Err(too_large_file(&name, metadata.len()));
     }
-    // A pipe or a device has no length beforehand.
+    Ok(file)
+}
+
+/// The text of a stream that is not too large; a pipe or a device has no length beforehand.
+fn contents(name: &str, stream: &mut dyn Read) -> Result<String, Refusal> {
     let mut bytes = Vec::new();
-    file.take(MAX_FILE_SIZE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    stream.take(MAX_FILE_SIZE + 1).read_to_end(&mut bytes).map_err(|error| unreadable(name, &error))?;
     if bytes.len() as u64 > MAX_FILE_SIZE {
-        return Err(refuse(too_large_file(path, bytes.len() as u64)));
+        return Err(too_large_file(name, bytes.len() as u64));
     }
     String::from_utf8(bytes).map_err(|error| {
         // Shown with what is no text replaced; the place is the same, since everything before it is text.
@@ -119,11 +118,25 @@ fn load(path: &Path) -> Result<String, Refusal> {
         let diagnostic = Diagnostic::at(
             Fault::File,
             at..at + char::REPLACEMENT_CHARACTER.len_utf8(),
-            format!("{}: {message}, from line {line} on", path.display()),
+            format!("{name}: {message}, from line {line} on"),
             format!("the byte 0x{:02X} begins no character", error.as_bytes()[at]),
         );
-        Refusal::new(&path.display().to_string(), &text, vec![diagnostic.help(help)])
+        Refusal::new(name, &text, vec![diagnostic.help(help)])
     })
+}
+
+fn unreadable(name: &str, error: &std::io::Error) -> Refusal {
+    let (message, help) = match error.kind() {
+        ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name and the folder"),
+        ErrorKind::IsADirectory => is_directory(),
+        ErrorKind::PermissionDenied => {
+            ("the file may not be read".to_owned(), "ask for the permission to read it, or copy it elsewhere")
+        }
+        ErrorKind::InvalidData => not_utf8(),
+        _ => (format!("the file cannot be read: {error}"), "check the file and the disk it lies on"),
+    };
+    let diagnostic = Diagnostic::whole_file(Fault::File, format!("{name}: {message}")).help(help);
+    Refusal::new(name, "", vec![diagnostic])
 }
 
 fn is_directory() -> (String, &'static str) {
@@ -134,10 +147,10 @@ fn not_utf8() -> (String, &'static str) {
     ("the file is not UTF-8 text".to_owned(), "save it as UTF-8; an experiment file is a TOML text")
 }
 
-fn too_large_file(path: &Path, size: u64) -> Diagnostic {
+fn too_large_file(name: &str, size: u64) -> Refusal {
     let diagnostic = too_large(size);
-    Diagnostic::whole_file(Fault::File, format!("{}: {}", path.display(), diagnostic.message()))
-        .help(diagnostic.remedies().join("; "))
+    let named = Diagnostic::whole_file(Fault::File, format!("{name}: {}", diagnostic.message()));
+    Refusal::new(name, "", vec![named.help(diagnostic.remedies().join("; "))])
 }
 
 fn too_large(size: u64) -> Diagnostic {
