@@ -5,24 +5,35 @@
 
 mod document;
 mod faults;
+mod form;
 mod given;
+mod head;
 mod interval;
 mod key;
 mod kind;
+mod name;
 mod number;
+mod place;
 mod points;
+mod reals;
 mod size;
 mod syntax;
 mod table;
 mod value;
+mod whole;
 
 pub(crate) use document::parse;
 pub(crate) use faults::Faults;
+pub(crate) use form::Form;
 pub(crate) use given::Given;
 pub(crate) use interval::Interval;
 pub(crate) use key::{Entry, Key, Section, Ways};
-pub(crate) use kind::{Flag, Form, Kind, List, Name, Names, Place, Reals, Text, Whole};
+pub(crate) use kind::{Flag, Kind, Text};
+pub(crate) use name::{List, Name, Names};
 pub(crate) use number::{counted, half_unit_of_last_digit, shown, shown_point};
+pub(crate) use place::Place;
 pub(crate) use points::{PointList, Points};
+pub(crate) use reals::Reals;
 pub(crate) use table::{Inner, OneOrSeveral, Several, Table, Tables};
 pub(crate) use value::Value;
+pub(crate) use whole::Whole;

@@ -4,7 +4,7 @@ use plateau::Quantity;
 use serde_json::{Map, Value as Json, json};
 use serde_spanned::Spanned;
 
-use crate::text::{Entry, Form, Interval, Key, Kind, Name, Place, Reals, Section, Text, Value, Ways};
+use crate::text::{Entry, Form, Interval, Key, Kind, Name, Place, Reals, Section, Table, Text, Value, Ways};
 
 const COUNT: usize = Quantity::ALL.len();
 
@@ -41,7 +41,7 @@ impl Kind for Expected {
         if value.get_ref().is_array() {
             return LIST.read(place, value).map(Expectation::Each);
         }
-        if let Some(table) = place.table(value, &TOLERANCED) {
+        if let Some(table) = Table::of_value(place, value, &TOLERANCED) {
             let (number, tolerance) = (table.require(&VALUE), table.require(&TOLERANCE));
             return Some(Expectation::Every(number?, Some(tolerance?.into_inner())));
         }

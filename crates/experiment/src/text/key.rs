@@ -3,44 +3,16 @@
 use serde_json::{Map, Value as Json, json};
 use toml::de::DeValue;
 
-use super::kind::{Form, Kind};
+use super::form::Form;
+use super::head::Head;
+use super::kind::Kind;
+use super::value::Value;
 
 /// A key: its name, what it means, and the kind of value it takes.
 #[derive(Clone, Copy)]
 pub(crate) struct Key<K> {
     head: Head,
     pub(super) kind: K,
-}
-
-/// What is said of a key whatever its kind.
-#[derive(Clone, Copy)]
-pub(crate) struct Head {
-    /// As the file writes it.
-    pub(crate) name: &'static str,
-    /// What it is, as a noun phrase: "the seed of every random choice".
-    pub(crate) doc: &'static str,
-    /// The value that an absent key has, as the file would write it.
-    pub(crate) default: Option<&'static str>,
-    /// What to do about a value that is refused or missing, where the meaning does not say it.
-    pub(crate) hint: &'static str,
-    /// Whether its table is nothing without it.
-    pub(crate) required: bool,
-    example: Option<&'static str>,
-}
-
-impl Head {
-    /// A value as the file would write it.
-    pub(crate) fn example(&self) -> &'static str {
-        self.example.or(self.default).unwrap_or("…")
-    }
-
-    /// What to do: the hint, or what the key means with an example.
-    pub(super) fn remedy(&self) -> String {
-        if !self.hint.is_empty() {
-            return self.hint.to_owned();
-        }
-        format!("write, for instance, {} = {}: {}", self.name, self.example(), self.doc)
-    }
 }
 
 impl<K: Copy> Key<K> {
@@ -108,10 +80,7 @@ impl<K: Form> Entry for Key<K> {
 
 impl<K: Kind> Key<K> {
     /// The default, read as if the file said it.
-    pub(super) fn default(
-        &self,
-        read: impl FnOnce(&super::value::Value<'_>) -> Option<K::Value>,
-    ) -> Option<K::Value> {
+    pub(super) fn default(&self, read: impl FnOnce(&Value<'_>) -> Option<K::Value>) -> Option<K::Value> {
         let text = self.head.default?;
         DeValue::parse(text).ok().and_then(|value| read(&value))
     }

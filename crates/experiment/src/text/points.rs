@@ -6,10 +6,12 @@ use serde_json::{Map, Value as Json, json};
 use serde_spanned::Spanned;
 use toml::de::DeValue;
 
+use super::form::Form;
+use super::head::Head;
 use super::interval::Interval;
-use super::key::Head;
-use super::kind::{Form, Kind, MOST_OF_A_LIST, Place};
+use super::kind::{Kind, MOST_OF_A_LIST};
 use super::number::{counted, shown};
+use super::place::Place;
 use super::value::Value;
 
 /// Between two numbers of points, with coordinates up to a size.
@@ -56,7 +58,7 @@ impl Points {
             format!("give at most {most} points: the degree is limited to {}", most - 1)
         };
         let found = counted(count, "point");
-        place.faults().inadmissible(value.span(), format!("{} has {found}", place.called()), found, help);
+        place.faults().inadmissible(value.span(), format!("{} has {found}", place.name()), found, help);
         false
     }
 
@@ -78,7 +80,7 @@ impl Points {
             return Some((point, count));
         }
         let (found, wanted) = (counted(count, "coordinate"), if self.planar { "2 or 3" } else { "3" });
-        let called = place.called();
+        let called = place.name();
         let mut help = format!("write a point as [x, y, z]; this is point {k} of {called}, counted from 0");
         if count == 2 {
             help = format!("add the third coordinate, 0 for a planar boundary; {help}");
@@ -109,7 +111,7 @@ impl Points {
                 ("not finite", "every coordinate must be an ordinary number: replace nan or inf".to_owned())
             };
             let message =
-                format!("{axis} of point {k} of {} is {what} (points are counted from 0)", place.called());
+                format!("{axis} of point {k} of {} is {what} (points are counted from 0)", place.name());
             place.faults().inadmissible(coordinate.span(), message, shown(x), help);
             sound = false;
         }
@@ -122,7 +124,7 @@ impl Points {
         place.faults().conflict(
             (list[other].span(), &counted(dimensions[other], "coordinate")),
             (list[0].span(), &counted(dimensions[0], "coordinate")),
-            format!("{} mixes planar and space points", place.called()),
+            format!("{} mixes planar and space points", place.name()),
             "give every point 2 coordinates, or every point 3",
         );
         false

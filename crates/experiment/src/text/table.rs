@@ -7,9 +7,12 @@ use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::faults::Faults;
+use super::form::Form;
 use super::given::Given;
-use super::key::{Entry, Head, Key, Section, sentence};
-use super::kind::{Form, Kind, Place};
+use super::head::Head;
+use super::key::{Entry, Key, Section, sentence};
+use super::kind::Kind;
+use super::place::Place;
 use super::value::Value;
 use crate::diagnostic::{Diagnostic, Fault, nearest, shorten};
 
@@ -72,6 +75,30 @@ impl<'t> Table<'t> {
         table
     }
 
+    /// The value of a key that is being read, as a table, if it is one.
+    pub(crate) fn of_value(
+        place: &Place<'t>,
+        value: &'t Value<'t>,
+        section: &'static Section,
+    ) -> Option<Self> {
+        let entries = value.get_ref().as_table()?;
+        let (faults, name) = (place.faults, place.name());
+        let path = format!("{}.{}", place.header.trim_matches(['[', ']']), place.key.name);
+        let header = format!("[{path}]");
+        let mut table = Self {
+            faults,
+            section,
+            entries: Some(entries),
+            path,
+            header,
+            called: name,
+            span: value.span(),
+            has_strays: false,
+        };
+        table.has_strays = table.report_strays();
+        Some(table)
+    }
+
     /// The same, by another name in messages.
     pub(crate) fn called(self, name: String) -> Self {
         Self { called: name, ..self }
@@ -89,14 +116,6 @@ impl<'t> Table<'t> {
     /// As messages call it.
     pub(crate) fn name(&self) -> &str {
         if self.called.is_empty() { "the experiment" } else { &self.called }
-    }
-
-    pub(super) fn called_or_empty(&self) -> &str {
-        &self.called
-    }
-
-    pub(super) fn header(&self) -> &str {
-        &self.header
     }
 
     /// Whether some key of it is unknown.
@@ -156,8 +175,18 @@ impl<'t> Table<'t> {
         self.entries.and_then(|entries| entries.get(name))
     }
 
+    fn at<'p>(&'p self, key: &'p dyn Entry) -> Place<'p> {
+        Place {
+            faults: self.faults,
+            header: &self.header,
+            called: &self.called,
+            key: key.head(),
+            form: key.form(),
+        }
+    }
+
     fn read<K: Kind>(&self, key: &Key<K>, value: &Value<'_>) -> Option<K::Value> {
-        key.kind.read(&Place { table: self, key: key.head(), form: key.form() }, value)
+        key.kind.read(&self.at(key), value)
     }
 
     /// What it holds under a key.
@@ -212,7 +241,7 @@ impl<'t> Table<'t> {
     }
 
     fn wrong_type(&self, key: &dyn Entry, value: &Value<'_>) {
-        let place = Place { table: self, key: key.head(), form: key.form() };
+        let place = self.at(key);
         place.wrong_type(value, &key.form().expected());
     }
 
