@@ -1,14 +1,16 @@
 //! The keys of experiment files, all of them: what each is called, takes and means.
 
 pub(crate) mod boundary;
+pub(crate) mod boundary_curve;
 pub(crate) mod curve;
 pub(crate) mod expect;
+pub(crate) mod face;
 pub(crate) mod helicoid;
 pub(crate) mod method;
 pub(crate) mod output;
 pub(crate) mod search;
 
-use crate::text::{Inner, Key, Section, Several, Text, Ways, Whole};
+use crate::text::{Inner, Key, OneOrSeveral, Section, Several, Text, Ways, Whole};
 
 pub(crate) static TITLE: Key<Text> = Key::new("title", Text::Named, "the heading of the table of results")
     .required()
@@ -27,13 +29,25 @@ pub(crate) static SEARCH: Key<Inner> = Key::table("search", Inner(&search::SECTI
 pub(crate) static HELICOID: Key<Inner> = Key::table("helicoid", Inner(&helicoid::SECTION));
 pub(crate) static TRAPEZIUM: Key<Inner> =
     Key::table("trapezium-helicoid", Inner(&helicoid::trapezium::SECTION));
-pub(crate) static CURVE: Key<Inner> = Key::table("curve", Inner(&curve::SECTION));
+pub(crate) static CURVE: Key<OneOrSeveral> =
+    Key::table("curve", OneOrSeveral { one: &curve::SECTION, several: &boundary_curve::SECTION });
+pub(crate) static FACE: Key<Several> = Key::table("face", Several(&face::SECTION));
+pub(crate) static VERTEX: Key<Several> = Key::table("vertex", Several(&face::vertex::SECTION));
 pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
 pub(crate) static OUTPUT: Key<Inner> = Key::table("output", Inner(&output::SECTION));
 
 /// The file as a whole.
 pub(crate) static EXPERIMENT: Section = Section {
-    doc: "an experiment file of plateau: one of [boundary] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]",
-    keys: &[&TITLE, &SEED, &BOUNDARY, &METHOD, &SEARCH, &HELICOID, &TRAPEZIUM, &CURVE, &EXPECT, &OUTPUT],
-    ways: Ways::One(&[&["boundary", "method"], &["helicoid"], &["trapezium-helicoid"], &["curve"]]),
+    doc: "an experiment file of plateau: one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]",
+    keys: &[
+        &TITLE, &SEED, &BOUNDARY, &METHOD, &SEARCH, &HELICOID, &TRAPEZIUM, &CURVE, &FACE, &VERTEX, &EXPECT,
+        &OUTPUT,
+    ],
+    ways: Ways::Any(&[
+        &["boundary", "method"],
+        &["face", "method"],
+        &["helicoid"],
+        &["trapezium-helicoid"],
+        &["curve"],
+    ]),
 };

@@ -28,6 +28,7 @@
 
 mod diagnostic;
 mod import;
+mod key_list;
 mod keys;
 mod limits;
 mod plan;
@@ -38,8 +39,12 @@ mod text;
 
 pub use diagnostic::{Diagnostic, Fault, Refusal};
 pub use import::{CornerGap, ImportError, ImportOptions, MAX_IMPORT_SIZE, import, import_assembly};
+pub use key_list::key_list;
 pub use limits::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS};
-pub use plan::{Expected, Experiment, Output, PatchExperiment, Plan, Published, Wanted, stem};
+pub use plan::{
+    Expected, Experiment, FilmExperiment, FilmMethod, Output, PatchExperiment, Plan, Published, Rim, Wanted,
+    stem,
+};
 pub use run::{Finished, Missed, Options, run, run_kept};
 pub use schema::experiment_schema;
 pub use template::Template;

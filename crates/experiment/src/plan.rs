@@ -7,11 +7,15 @@
 mod arrangement;
 mod boundary;
 mod curve;
+mod curves;
 mod expected;
 mod experiment;
+mod faces;
 mod file;
+mod film;
 mod helicoid;
 mod interior;
+mod loops;
 mod memory;
 mod method;
 mod patch;
@@ -25,6 +29,7 @@ use plateau::{Curve, Helicoid, TrapeziumHelicoid};
 
 use exchange::Format;
 pub use expected::{Expected, Published, Wanted};
+pub use film::{FilmExperiment, FilmMethod, Rim};
 pub use patch::PatchExperiment;
 
 /// One experiment, checked and ready to run.
@@ -53,6 +58,8 @@ pub struct Plan {
 pub enum Experiment {
     /// `[boundary]` and `[[method]]`: patches over a fixed boundary net.
     Patch(PatchExperiment),
+    /// Loops or `[[face]]`, and `[[method]]`: surfaces of several patches.
+    Film(FilmExperiment),
     /// `[helicoid]`: a generalized helicoid, exact in AHT ⊗ AHT (AHT).
     Helicoid(Helicoid),
     /// `[trapezium-helicoid]`: a right helicoid over a trapezium, exact in AT ⊗ degree 1 (AT).

@@ -1,11 +1,11 @@
 //! Running a plan: its surfaces or its curve, and what the file wants of them.
 
 use plateau::{
-    Arithmetic, Context, Degeneracy, Energy, Helicoid, Keeper, MethodError, MethodResult, Progress, Quantity,
-    Results, Solved, degeneracies, helicoids, sample, solve, trapezium,
+    Arithmetic, Context, Degeneracy, Done, Energy, Fill, Helicoid, Keeper, MethodError, MethodResult,
+    Progress, Quantity, Results, Solved, degeneracies, helicoids, sample, solve, trapezium,
 };
 
-use crate::{Expected, Experiment, Output, PatchExperiment, Plan, Wanted};
+use crate::{Expected, Experiment, FilmExperiment, FilmMethod, Output, PatchExperiment, Plan, Rim, Wanted};
 
 /// Choices that are not part of the experiment.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -74,6 +74,7 @@ pub fn run_kept(
             results.warnings.extend(experiment.boundary.welding().as_ref().map(ToString::to_string));
             results.methods = patches(experiment, &context);
         }
+        Experiment::Film(experiment) => results.methods = films(experiment, mesh, progress),
         Experiment::Helicoid(helicoid) => {
             results.methods = helicoids(helicoid, mesh, progress);
             wanted = wanted_of_frames(helicoid, wanted);
@@ -105,6 +106,30 @@ fn patches(experiment: &PatchExperiment, context: &Context<'_>) -> Vec<MethodRes
         results[index] = Some(MethodResult { name: methods[index].name.clone(), outcome });
     }
     results.into_iter().flatten().collect()
+}
+
+/// The surfaces over loops or faces.
+fn films(experiment: &FilmExperiment, mesh: usize, progress: &dyn Progress) -> Vec<MethodResult> {
+    let filled = |method: &FilmMethod| -> Result<Done, MethodError> {
+        if progress.cancelled() {
+            return Err(MethodError::Interrupted);
+        }
+        let fill = Fill::default()
+            .with_energy(method.energy)
+            .with_tolerance(method.tolerance)
+            .with_mesh_in_all(mesh);
+        let fill = method.degree.map_or(fill, |degree| fill.with_degree(degree));
+        let film = match &experiment.rim {
+            Rim::Loops(loops) => fill.loops(loops, progress)?,
+            Rim::Faces(graph) => fill.graph(graph, progress)?,
+        };
+        Ok(film.into_done(method.energy))
+    };
+    let result = |method: &FilmMethod| MethodResult {
+        name: method.name.clone(),
+        outcome: filled(method).map(Box::new),
+    };
+    experiment.methods.iter().map(result).collect()
 }
 
 /// What is wanted of a helicoid and of the frames of its deformation: of every frame what is the same for all.

@@ -11,6 +11,10 @@ pub enum Template {
     Harmonic,
     /// Triangular patches.
     Triangle,
+    /// Surfaces in loops.
+    Loops,
+    /// Surfaces of faces between curves.
+    Faces,
     /// Generalized helicoids.
     Helicoid,
     /// Helicoids over a trapezium.
@@ -21,11 +25,13 @@ pub enum Template {
 
 impl Template {
     /// Every template.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 9] = [
         Self::Tensor,
         Self::TbCoons,
         Self::Harmonic,
         Self::Triangle,
+        Self::Loops,
+        Self::Faces,
         Self::Helicoid,
         Self::TrapeziumHelicoid,
         Self::Curve,
@@ -39,6 +45,8 @@ impl Template {
             Self::TbCoons => "tb-coons",
             Self::Harmonic => "harmonic",
             Self::Triangle => "triangle",
+            Self::Loops => "loops",
+            Self::Faces => "faces",
             Self::Helicoid => "helicoid",
             Self::TrapeziumHelicoid => "trapezium-helicoid",
             Self::Curve => "curve",
@@ -53,6 +61,8 @@ impl Template {
             Self::TbCoons => "TB–Coons patches, whose boundary curves do not move with the shape parameters",
             Self::Harmonic => "Harmonic patches from two opposite rows",
             Self::Triangle => "Triangular patches over three sides: extremals, masks, metric correction",
+            Self::Loops => "Surfaces in one loop of any curves, or between two",
+            Self::Faces => "Surfaces of several faces between curves: frames, tents, soap films",
             Self::Helicoid => "Generalized helicoids, exact in the AHT basis, and their deformation",
             Self::TrapeziumHelicoid => "Helicoids over a trapezium, exact in the AT basis",
             Self::Curve => "One curve with its derivatives and curvature",
@@ -73,6 +83,8 @@ impl Template {
             Self::TbCoons => include_str!("../templates/tb-coons.toml"),
             Self::Harmonic => include_str!("../templates/harmonic.toml"),
             Self::Triangle => include_str!("../templates/triangle.toml"),
+            Self::Loops => include_str!("../templates/loops.toml"),
+            Self::Faces => include_str!("../templates/faces.toml"),
             Self::Helicoid => include_str!("../templates/helicoid.toml"),
             Self::TrapeziumHelicoid => include_str!("../templates/trapezium-helicoid.toml"),
             Self::Curve => include_str!("../templates/curve.toml"),

@@ -28,7 +28,7 @@ fn found(first: usize, turned: bool, method: &str) -> (Figures, Point) {
     let finished = run(&plan, Options::default(), &()).unwrap();
     let done =
         finished.results.methods[0].outcome.as_ref().unwrap_or_else(|error| panic!("{method}: {error}"));
-    (done.figures, done.solved.surface.patch().point(1.0 / 3.0, 1.0 / 3.0))
+    (done.figures, done.solved.surface.patch().expect("one patch").point(1.0 / 3.0, 1.0 / 3.0))
 }
 
 #[test]

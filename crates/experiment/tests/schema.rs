@@ -165,6 +165,21 @@ fn probe(table: &str, line: &str) -> String {
         "helicoid" | "trapezium-helicoid" | "curve" => {
             return format!("title = \"probe\"\n[{table}]\n{line}\n");
         }
+        "[curve]" | "[face]" | "[vertex]" => {
+            return format!(
+                "title = \"probe\"\n[{table}]\n{line}\n[[method]]\nname = \"probe\"\nenergy = \"area\"\n"
+            );
+        }
+        "curve.spline" | "curve.through" | "curve.circle" => {
+            return format!(
+                "title = \"probe\"\n[[curve]]\nname = \"probe\"\n[{table}]\n{line}\n[boundary]\nloops = [[\"probe\"]]\n"
+            );
+        }
+        "method over loops" => {
+            return format!(
+                "title = \"probe\"\n[boundary]\npolygon = [[0,0,0],[1,0,0],[0,1,1]]\n[[method]]\nname = \"probe\"\n{line}\n"
+            );
+        }
         "boundary" => String::new(),
         "method" => line.to_owned(),
         "method.expect" => format!("energy = \"dirichlet\"\nexpect = {{ {line} }}"),
@@ -177,7 +192,7 @@ fn probe(table: &str, line: &str) -> String {
 
 /// The tables of the schema, by the names of [`probe`].
 fn tables(schema: &Value) -> Vec<(&'static str, &Value)> {
-    let at = |pointer: &str| schema.pointer(pointer).expect("a table of the schema");
+    let at = |pointer: &str| schema.pointer(pointer).unwrap_or_else(|| panic!("{pointer}"));
     vec![
         ("", schema),
         ("boundary", at("/properties/boundary")),
@@ -185,7 +200,13 @@ fn tables(schema: &Value) -> Vec<(&'static str, &Value)> {
         ("search", at("/properties/search")),
         ("helicoid", at("/properties/helicoid")),
         ("trapezium-helicoid", at("/properties/trapezium-helicoid")),
-        ("curve", at("/properties/curve")),
+        ("curve", at("/properties/curve/anyOf/0")),
+        ("[curve]", at("/properties/curve/anyOf/1/items")),
+        ("curve.spline", at("/properties/curve/anyOf/1/items/properties/spline")),
+        ("curve.through", at("/properties/curve/anyOf/1/items/properties/through")),
+        ("curve.circle", at("/properties/curve/anyOf/1/items/properties/circle")),
+        ("[face]", at("/properties/face/items")),
+        ("[vertex]", at("/properties/vertex/items")),
         ("output", at("/properties/output")),
         ("method.expect", at("/properties/method/items/properties/expect")),
         ("method.published", at("/properties/method/items/properties/published/anyOf/0")),
@@ -280,7 +301,11 @@ fn the_bounds_are_those_of_the_parser() {
                     false => (format!("{bound:e}"), format!("{:e}", beyond(bound, out))),
                 };
                 let faults = |value: &str| {
-                    let probe = probe(name, &format!("{key} = {value}"));
+                    let table = match (name, key.as_str()) {
+                        ("method", "degree" | "layers") => "method over loops",
+                        (name, _) => name,
+                    };
+                    let probe = probe(table, &format!("{key} = {value}"));
                     let found = Plan::parse("probe.toml", &probe).err();
                     let named = format!("`{key}`");
                     let refused = |d: &experiment::Diagnostic| {

@@ -103,6 +103,74 @@ points = [[0, 0], [1, 2], [3, 2], [4, 0]]
 samples = [0.0, 0.25, 1.0]
 "#;
 
+const POLYGON: &str = r#"title = "Polygon"
+[boundary]
+polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0.5, 1.5, 0.5], [0, 1, 0]]
+[[method]]
+name = "least area"
+energy = "area"
+degree = 6
+"#;
+
+const SIDES: &str = r#"title = "Sides"
+[boundary]
+sides = [
+  [[0, 0, 0], [1, 0, 1], [2, 0, 0]],
+  [[2, 0, 0], [2, 2, 0]],
+  [[2, 2, 0], [1, 1, 0], [0, 0, 0]],
+]
+[[method]]
+name = "least area"
+energy = "area"
+"#;
+
+const RINGS: &str = r#"title = "Two loops"
+[boundary]
+loops = [["low", "-high"], ["ring"]]
+[[curve]]
+name = "low"
+ends = ["a", "b"]
+points = [[0, 0, 0], [1, -1, 0], [2, 0, 0]]
+[[curve]]
+name = "high"
+ends = ["a", "b"]
+spline = { degree = 2, knots = [0, 0, 0, 1, 1, 1], points = [[0, 0, 0], [1, 1, 0], [2, 0, 0]], weights = [1, 2, 1] }
+[[curve]]
+name = "ring"
+circle = { center = [1, 0, 1], normal = [0, 0, 1], radius = 0.5 }
+[[method]]
+name = "least area"
+energy = "area"
+"#;
+
+const FACES: &str = r#"title = "Faces"
+[[curve]]
+name = "south"
+ends = ["a", "b"]
+polyline = [[0, 0, 0], [1, 0, 0]]
+[[curve]]
+name = "east"
+ends = ["b", "c"]
+through = { points = [[1, 0, 0], [1, 0.5, 0.1], [1, 1, 0]], tolerance = 1e-6 }
+[[curve]]
+name = "north"
+ends = ["c", "a"]
+circle = { center = [0.5, 0.5, 0], normal = [0, 0, 1], radius = 0.7071067811865476, from = [1, 1, 0], arc = [0, 180] }
+[[face]]
+vertices = ["a", "b", "o"]
+[[face]]
+vertices = ["b", "c", "o"]
+[[face]]
+vertices = ["c", "a", "o"]
+[[vertex]]
+name = "o"
+point = [0.5, 0.5, 0.25]
+[[method]]
+name = "Dirichlet"
+energy = "dirichlet"
+layers = 0
+"#;
+
 struct Mutant {
     name: &'static str,
     base: &'static str,
@@ -194,7 +262,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("rows and columns exchanged", BILINEAR, &[("u0 = [[0, 0, 0], [1, 0, 1]]", "u0 = «[[0, 0, 0], [0, 1, 0]]»"), ("v0 = [[0, 0, 0], [0, 1, 0]]", "v0 = [[0, 0, 0], [1, 0, 1]]")], Conflict, &["`u0` and `v0` in [boundary] are exchanged", "write these points as `v0`"]),
     mutant("sides of two degrees exchanged", BILINEAR, &[("u0 = [[0, 0, 0], [1, 0, 1]]", "u0 = [[0, 0, 0], [0.5, 0, 0], [1, 0, 1]]"), ("u1 = [[0, 1, 0], [1, 1, 0]]", "u1 = «[[0, 0, 0], [0, 1, 0]]»"), ("v0 = [[0, 0, 0], [0, 1, 0]]", "v0 = [[0, 1, 0], [0.5, 1, 0], [1, 1, 0]]")], Conflict, &["`u1` and `v0` in [boundary] are exchanged"]),
     mutant("a side of a triangle under another name", TRIANGLE, &[("ab = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]]", "ab = «[[0, 3, 0], [0, 2, 0], [0, 1, 0], [0, 0, 0]]»"), ("ca = [[0, 3, 0], [0, 2, 0], [0, 1, 0], [0, 0, 0]]", "ca = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]]")], Conflict, &["`ab` and `ca` in [boundary] are exchanged"]),
-    mutant("a domain of a net", TENSOR, &[("basis = \"bernstein\"", "domain = «\"equilateral\"»")], Conflict, &["`domain`", "no triangle"]),
+    mutant("a domain of a net", TENSOR, &[("basis = \"bernstein\"", "domain = «\"equilateral\"»")], Conflict, &["`domain`", "not for a tensor boundary", "triangle"]),
     mutant("a domain of a mask", TRIANGLE, &[("mask = \"dirichlet\"", "mask = \"dirichlet\"\ndomain = «\"equilateral\"»")], Conflict, &["`domain`", "no extremal"]),
     mutant("another domain", TRIANGLE, &[("mask = \"dirichlet\"", "energy = \"dirichlet\"\ndomain = «\"regular\"»")], Inadmissible, &["\"right\"", "\"equilateral\""]),
     mutant("a triangle of a high degree", TRIANGLE, &[("mask = \"dirichlet\"", "energy = «\"bending\"»\nraise = 22")], Conflict, &["degree 25", "offered to degree 24", "raise by at most 21"]),
@@ -256,7 +324,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("degree raised too far", TENSOR, &[("energy = \"bending\"", "energy = \"bending\"\nraise = «62»")], Conflict, &["degree 65", "limit 64", "at most 61"]),
     mutant("negative raise", TENSOR, &[("energy = \"bending\"", "energy = \"bending\"\nraise = «-1»")], Inadmissible, &["raise", "between 0 and 64"]),
     mutant("gt of degree 1", BILINEAR, &[("energy", "shape = [1, 1, 1, 1]\nbasis = «\"gt\"»\nenergy")], Conflict, &["degree 1", "raise = 1"]),
-    mutant("patch on a triangle", TRIANGLE, &[("mask", "patch = «\"tensor\"»\nmask")], Conflict, &["patch", "triangle", "leave out"]),
+    mutant("patch on a triangle", TRIANGLE, &[("mask", "patch = «\"tensor\"»\nmask")], Conflict, &["patch", "triangular", "leave out", "tensor"]),
     mutant("gt on a triangle", TRIANGLE, &[("mask", "basis = «\"gt\"»\nmask")], Conflict, &["GT", "triang"]),
     mutant("harmonic on a triangle", TRIANGLE, &[("mask = \"dirichlet\"", "construction = «\"harmonic\"»")], Conflict, &["harmonic", "triangle"]),
     mutant("harmonic tb-coons", TENSOR, &[("energy = \"dirichlet\"", "patch = \"tb-coons\"\nconstruction = «\"harmonic\"»")], Conflict, &["harmonic", "TB–Coons"]),
@@ -318,6 +386,76 @@ const MUTANTS: &[Mutant] = &[
     mutant("gamma of one", TRAPEZIUM, &[("gamma = [6.2, 12.5]", "gamma = «[6.2]»")], Inadmissible, &["gamma", "1 number instead of 2"]),
     mutant("crossing sides", TRAPEZIUM, &[("beta = [1.0, 0.5]", "beta = «[3.0, 0.0]»")], Conflict, &["cross at v = 2.1", "keep apart"]),
     mutant("coinciding sides", TRAPEZIUM, &[("gamma = [6.2, 12.5]", "gamma = [1, 1]"), ("beta = [1.0, 0.5]", "beta = «[1, 1]»")], Conflict, &["coincide"]),
+    // Loops.
+    mutant("polygon of two", POLYGON, &[("[[0, 0, 0], [1, 0, 0], [1, 1, 1], [0.5, 1.5, 0.5], [0, 1, 0]]", "«[[0, 0, 0], [1, 0, 0]]»")], Inadmissible, &["polygon", "2 points", "3 to 200 corners"]),
+    mutant("polygon closed twice", POLYGON, &[("[0, 1, 0]]", "[0, 1, 0], «[0, 0, 0]»]")], Inadmissible, &["polygon", "leave out the last corner"]),
+    mutant("polygon with a corner twice", POLYGON, &[("[1, 1, 1],", "[1, 1, 1], «[1, 1, 1]»,")], Inadmissible, &["two neighbouring corners", "[1, 1, 1]"]),
+    mutant("polygon with nan", POLYGON, &[("[1, 1, 1]", "[1, «nan», 1]")], Inadmissible, &["y of point 2", "not finite"]),
+    mutant("polygon and net", POLYGON, &[("polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0.5, 1.5, 0.5], [0, 1, 0]]", "polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 1]]\nu0 = «[[0, 0, 0], [1, 0, 0]]»")], Conflict, &["polygon", "u0", "keep one kind"]),
+    mutant("polygon and sides", SIDES, &[("sides = [", "polygon = «[[0, 0, 0], [1, 0, 0], [1, 1, 1]]»\nsides = [")], Conflict, &["polygon", "sides", "keep one kind"]),
+    mutant("gt over a polygon", POLYGON, &[("degree = 6", "basis = «\"gt\"»")], Conflict, &["basis", "loops or faces", "leave out"]),
+    mutant("raise over a polygon", POLYGON, &[("degree = 6", "raise = «2»")], Conflict, &["raise", "loops or faces"]),
+    mutant("bending over a polygon", POLYGON, &[("\"area\"", "«\"bending\"»")], Conflict, &["energy of single patches", "energy = \"area\""]),
+    mutant("no energy over a polygon", POLYGON, &[("[[method]]", "«[[method]]»"), ("energy = \"area\"\n", "")], Missing, &["energy", "least area"]),
+    mutant("degree over a net", TENSOR, &[("basis = \"bernstein\"", "basis = \"bernstein\"\ndegree = «6»")], Conflict, &["degree", "tensor", "loops"]),
+    mutant("layers on a triangle", TRIANGLE, &[("mask", "layers = «1»\nmask")], Conflict, &["layers", "triangular", "loops"]),
+    mutant("degree of nothing", POLYGON, &[("degree = 6", "degree = «0»")], Inadmissible, &["degree", "between 1 and 24"]),
+    mutant("three layers", POLYGON, &[("degree = 6", "layers = «3»")], Inadmissible, &["layers", "between 0 and 1"]),
+    mutant("one layer", POLYGON, &[("degree = 6", "layers = «1»")], Inadmissible, &["layers", "does not make"]),
+    mutant("tolerance of a Dirichlet energy", POLYGON, &[("\"area\"", "\"dirichlet\""), ("degree = 6", "tolerance = «1e-6»")], Conflict, &["tolerance", "energy = \"area\""]),
+    mutant("expected shape over a polygon", POLYGON, &[("degree = 6", "expect.shape = «1.0»")], Conflict, &["shape", "loops"]),
+    mutant("curve beside a polygon", POLYGON, &[("[[method]]", "«[[curve]]»\nname = \"x\"\npoints = [[0, 0, 0], [1, 1, 1]]\nends = [\"a\", \"b\"]\n[[method]]")], Conflict, &["[[curve]]", "loops"]),
+    mutant("curve beside a net", BILINEAR, &[("[[method]]", "«[[curve]]»\nname = \"x\"\npoints = [[0, 0, 0], [1, 1, 1]]\nends = [\"a\", \"b\"]\n[[method]]")], Conflict, &["[[curve]]", "loops"]),
+    mutant("sides with a gap", SIDES, &[("[[2, 0, 0], [2, 2, 0]]", "[«[2, 0, 0.5]», [2, 2, 0]]")], Conflict, &["side 1", "side 0", "0.5", "a millionth"]),
+    mutant("side of one point", SIDES, &[("[[2, 0, 0], [2, 2, 0]]", "«[[2, 0, 0]]»")], Inadmissible, &["sides", "1 point"]),
+    mutant("side in one place", SIDES, &[("[[2, 0, 0], [2, 2, 0]]", "«[[2, 0, 0], [2, 0, 0]]»")], Inadmissible, &["sides", "side 1", "same point"]),
+    mutant("sides a list of points", SIDES, &[("  [[0, 0, 0], [1, 0, 1], [2, 0, 0]],\n", "  «3»,\n")], WrongType, &["sides", "a list of points"]),
+    mutant("loop of an unknown curve", RINGS, &[("[\"ring\"]]", "[«\"rnig\"»]]"), ("name = \"low\"", "name = \"low\"")], Conflict, &["rnig", "did you mean \"ring\"?"]),
+    mutant("loop in the wrong sense", RINGS, &[("[\"low\", \"-high\"]", "[\"low\", «\"high\"»]")], Conflict, &["goes on at \"a\"", "come to \"b\"", "`-` before a name"]),
+    mutant("curve in two loops", RINGS, &[("[\"ring\"]]", "[«\"low\"»]]")], Conflict, &["low", "twice"]),
+    mutant("closed curve among others", RINGS, &[("[[\"low\", \"-high\"], [\"ring\"]]", "[[\"low\", \"-high\", «\"ring\"»]]")], Conflict, &["ring", "no `ends`", "loop of its own"]),
+    mutant("curve in no loop", RINGS, &[("loops = [[\"low\", \"-high\"], [\"ring\"]]", "loops = [[\"low\", \"-high\"]]"), ("[[curve]]\nname = \"ring\"", "«[[curve]]»\nname = \"ring\"")], Conflict, &["ring", "no loop"]),
+    mutant("no loop at all", RINGS, &[("[[\"low\", \"-high\"], [\"ring\"]]", "«[]»")], Inadmissible, &["loops", "at least 1", "[[face]]"]),
+    mutant("three loops", RINGS, &[("[[\"low\", \"-high\"], [\"ring\"]]", "«[[\"low\", \"-high\"], [\"ring\"], [\"x\"]]»")], Inadmissible, &["loops", "at most 2", "[[face]]"]),
+    mutant("two curves of one name", RINGS, &[("name = \"high\"", "name = «\"low\"»")], Conflict, &["two curves", "\"low\""]),
+    mutant("curve called backwards", RINGS, &[("name = \"ring\"", "name = «\"-ring\"»")], Inadmissible, &["-ring", "other way"]),
+    mutant("curve without a form", RINGS, &[("[[curve]]\nname = \"low\"", "«[[curve]]»\nname = \"low\""), ("points = [[0, 0, 0], [1, -1, 0], [2, 0, 0]]\n", "")], Missing, &["curve \"low\"", "polyline", "circle"]),
+    mutant("curve of two forms", RINGS, &[("points = [[0, 0, 0], [1, -1, 0], [2, 0, 0]]", "points = [[0, 0, 0], [1, -1, 0], [2, 0, 0]]\npolyline = «[[0, 0, 0], [2, 0, 0]]»")], Conflict, &["points", "polyline", "keep one"]),
+    mutant("curve with one end", RINGS, &[("name = \"low\"\nends = [\"a\", \"b\"]", "name = \"low\"\nends = «[\"a\"]»")], Inadmissible, &["ends", "1 element instead of 2", "closed curve"]),
+    mutant("curve from a to a", RINGS, &[("name = \"low\"\nends = [\"a\", \"b\"]", "name = \"low\"\nends = «[\"a\", \"a\"]»")], Inadmissible, &["\"a\"", "closed curve"]),
+    mutant("open curve without ends", RINGS, &[("[[curve]]\nname = \"low\"\nends = [\"a\", \"b\"]", "«[[curve]]»\nname = \"low\"")], Conflict, &["no `ends`", "2 from where it begins", "ends = [\"a\", \"b\"]"]),
+    mutant("closed curve with ends", RINGS, &[("[1, -1, 0], [2, 0, 0]]", "[1, -1, 0], [0, 0, 0]]"), ("name = \"low\"\nends = [\"a\", \"b\"]", "name = \"low\"\nends = [«\"a\", \"b\"»]")], Conflict, &["ends where it begins", "leave out `ends`"]),
+    mutant("loop with a gap", RINGS, &[("\"-high\"", "«\"-high\"»"), ("[1, 1, 0], [2, 0, 0]]", "[1, 1, 0], [2, 0, 0.5]]")], Conflict, &["same vertex", "0.5 from one another"]),
+    mutant("too few knots", RINGS, &[("[0, 0, 0, 1, 1, 1]", "«[0, 0, 1, 1, 1]»")], Inadmissible, &["curve \"high\"", "6 knots, got 5"]),
+    mutant("descending knots", RINGS, &[("[0, 0, 0, 1, 1, 1]", "«[0, 0, 0, 1, 0.5, 1]»")], Inadmissible, &["knot 4", "never descend"]),
+    mutant("too few weights", RINGS, &[("weights = [1, 2, 1]", "weights = «[1, 2]»")], Inadmissible, &["2 weights for 3"]),
+    mutant("negative weight", RINGS, &[("weights = [1, 2, 1]", "weights = [1, «-2», 1]")], Inadmissible, &["weights", "above 0"]),
+    mutant("spline without knots", RINGS, &[("spline = { degree = 2, knots = [0, 0, 0, 1, 1, 1], points = [[0, 0, 0], [1, 1, 0], [2, 0, 0]], weights = [1, 2, 1] }", "spline = «{ degree = 2, points = [[0, 0, 0], [1, 1, 0], [2, 0, 0]] }»")], Missing, &["`spline` of curve \"high\"", "knots"]),
+    mutant("spline key misspelt", RINGS, &[("knots =", "«konts» =")], UnknownKey, &["[curve.spline]", "did you mean `knots`?"]),
+    mutant("circle without radius", RINGS, &[("circle = { center = [1, 0, 1], normal = [0, 0, 1], radius = 0.5 }", "circle = «{ center = [1, 0, 1], normal = [0, 0, 1] }»")], Missing, &["radius"]),
+    mutant("circle of negative radius", RINGS, &[("radius = 0.5", "radius = «-0.5»")], Inadmissible, &["radius", "above 0"]),
+    mutant("circle without a plane", RINGS, &[("normal = [0, 0, 1]", "normal = «[0, 0, 0]»")], Inadmissible, &["curve \"ring\"", "axes"]),
+    mutant("planar center", RINGS, &[("center = [1, 0, 1]", "center = «[1, 0]»")], Inadmissible, &["2 coordinates instead of 3", "[x, y, z]"]),
+    mutant("arc of a whole circle", RINGS, &[("radius = 0.5 }", "radius = 0.5, arc = «[0, 90]» }")], Conflict, &["arc", "no `ends`"]),
+    // Faces.
+    mutant("arc without from", FACES, &[("circle = { center = [0.5, 0.5, 0], normal = [0, 0, 1], radius = 0.7071067811865476, from = [1, 1, 0], arc = [0, 180] }", "circle = «{ center = [0.5, 0.5, 0], normal = [0, 0, 1], radius = 0.7071067811865476, arc = [0, 180] }»")], Missing, &["from", "arc = [0, 180]"]),
+    mutant("from beside the circle", FACES, &[("from = [1, 1, 0]", "from = «[1, 2, 0]»")], Inadmissible, &["no point of the circle", "0.70710678"]),
+    mutant("arc of nothing", FACES, &[("arc = [0, 180]", "arc = «[90, 90]»")], Inadmissible, &["must turn"]),
+    mutant("arc of two turns", FACES, &[("arc = [0, 180]", "arc = «[-360, 360]»")], Inadmissible, &["full turn"]),
+    mutant("vertex misspelt", FACES, &[("vertices = [\"c\", \"a\", \"o\"]", "vertices = [\"c\", «\"aa\"», \"o\"]")], Conflict, &["nothing holds", "\"aa\"", "did you mean \"a\"?"]),
+    mutant("face of two", FACES, &[("vertices = [\"a\", \"b\", \"o\"]", "vertices = «[\"a\", \"b\"]»"), ("[[face]]\nvertices = [\"b\", \"c\", \"o\"]\n", ""), ("[[face]]\nvertices = [\"c\", \"a\", \"o\"]", "[[face]]\nvertices = [\"a\", \"b\", \"c\"]"), ("[[vertex]]\nname = \"o\"\npoint = [0.5, 0.5, 0.25]\n", "")], Inadmissible, &["2 corners", "three or more"]),
+    mutant("face of one", FACES, &[("vertices = [\"a\", \"b\", \"o\"]", "vertices = «[\"a\"]»")], Inadmissible, &["vertices", "1 element instead of at least 2"]),
+    mutant("face left open", FACES, &[("[[face]]\nvertices = [\"c\", \"a\", \"o\"]\n", ""), ("vertices = [\"a\", \"b\", \"o\"]", "vertices = [\"a\", \"b\", «\"o\"»]")], Conflict, &["nothing holds the side from \"o\" to \"a\"", "[[curve]]"]),
+    mutant("curve of no face", FACES, &[("[[face]]\nvertices = [\"a\", \"b\", \"o\"]", "«[[curve]]»\nname = \"wire\"\nends = [\"x\", \"y\"]\npoints = [[0, 0, 0], [0, 0, 1]]\n[[face]]\nvertices = [\"a\", \"b\", \"o\"]")], Inadmissible, &["\"wire\"", "neighbours in no face"]),
+    mutant("curve apart from its vertex", FACES, &[("[[curve]]\nname = \"east\"", "«[[curve]]»\nname = \"east\""), ("points = [[1, 0, 0], [1, 0.5, 0.1]", "points = [[1, 0, 0.25], [1, 0.5, 0.1]")], Inadmissible, &["\"east\"", "\"b\"", "0.25"]),
+    mutant("closed curve of faces", FACES, &[("[[face]]\nvertices = [\"a\", \"b\", \"o\"]", "«[[curve]]»\nname = \"ring\"\ncircle = { center = [0, 0, 0], normal = [0, 0, 1], radius = 1 }\n[[face]]\nvertices = [\"a\", \"b\", \"o\"]")], Conflict, &["\"ring\"", "no `ends`"]),
+    mutant("vertex of no face", FACES, &[("name = \"o\"", "name = «\"oo\"»")], Conflict, &["\"oo\"", "corner of no face"]),
+    mutant("vertex without point", FACES, &[("[[vertex]]", "«[[vertex]]»"), ("point = [0.5, 0.5, 0.25]\n", "")], Missing, &["point"]),
+    mutant("vertex fixed by a word", FACES, &[("point = [0.5, 0.5, 0.25]", "point = [0.5, 0.5, 0.25]\nfixed = «\"yes\"»")], WrongType, &["fixed", "true or false"]),
+    mutant("faces and a polygon", FACES, &[("[[face]]\nvertices = [\"a\", \"b\", \"o\"]", "«[[face]]»\nvertices = [\"a\", \"b\", \"o\"]"), ("title = \"Faces\"", "title = \"Faces\"\nboundary.polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]")], Conflict, &["[[face]]", "polygon", "keep one"]),
+    mutant("vertex beside loops", RINGS, &[("[[method]]", "«[[vertex]]»\nname = \"o\"\npoint = [0, 0, 0]\n[[method]]")], Conflict, &["[[vertex]]", "[[face]]"]),
+    mutant("a later key", RINGS, &[("[[curve]]\nname = \"ring\"", "[[curve]]\n«tension» = 1\nname = \"ring\"")], UnknownKey, &["[[curve]]", "tension"]),
+    mutant("a later method key", POLYGON, &[("degree = 6", "«volume» = 1.0")], UnknownKey, &["volume"]),
     // Curves.
     mutant("curve without basis", CURVE, &[("[curve]", "«[curve]»"), ("basis = \"gt\"\n", "")], Missing, &["basis", "\"aht\""]),
     mutant("curve without points", CURVE, &[("[curve]", "«[curve]»"), ("points = [[0, 0], [1, 2], [3, 2], [4, 0]]\n", "")], Missing, &["points"]),
@@ -411,7 +549,7 @@ fn every_mutant_is_refused_at_its_place_with_a_remedy() {
 
 #[test]
 fn the_bases_are_sound_and_mutants_many() {
-    for base in [TENSOR, BILINEAR, ROWS, TRIANGLE, HELICOID, TRAPEZIUM, CURVE] {
+    for base in [TENSOR, BILINEAR, ROWS, TRIANGLE, HELICOID, TRAPEZIUM, CURVE, POLYGON, SIDES, RINGS, FACES] {
         if let Err(refusal) = Plan::parse("base.toml", base) {
             panic!("{refusal}");
         }

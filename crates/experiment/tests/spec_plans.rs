@@ -1,10 +1,10 @@
 //! Sound experiment files become the plans they describe.
 
 use exchange::{DEFAULT_TOLERANCE, Format};
-use experiment::{Experiment, Options, Output, PatchExperiment, Plan, Template, run};
+use experiment::{Experiment, FilmExperiment, Options, Output, PatchExperiment, Plan, Rim, Template, run};
 use plateau::{
-    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Direction, Energy, Interior, Mask, Method,
-    Patch, Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
+    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Direction, Done, Energy, FillEnergy, Interior,
+    Loop, Mask, Method, Patch, Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
 };
 
 fn plan(text: &str) -> Plan {
@@ -404,6 +404,168 @@ fn corners_that_differ_by_rounding_are_one_point() {
     let off = NET.replace("[6,0,0]]   # P_{0,j}", "[6,1e-4,0]]");
     let method = "[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n";
     assert!(Plan::parse("off.toml", &format!("{off}{method}")).is_err());
+}
+
+fn film(text: &str) -> FilmExperiment {
+    match plan(text).experiment {
+        Experiment::Film(film) => film,
+        other => panic!("no loops or faces: {other:?}"),
+    }
+}
+
+fn loops(film: &FilmExperiment) -> &[Loop] {
+    match &film.rim {
+        Rim::Loops(loops) => loops,
+        Rim::Faces(graph) => panic!("faces: {graph:?}"),
+    }
+}
+
+const LEAST: &str = "[[method]]\nname = \"least area\"\nenergy = \"area\"\n";
+
+#[test]
+fn polygons_and_sides_are_loops() {
+    let polygon = film(&format!(
+        "title = \"x\"\n[boundary]\npolygon = [[0,0,0],[1,0,0],[1,1,0.5],[0,1,0]]\n{LEAST}degree = 8\nlayers = 0\n"
+    ));
+    let [around] = loops(&polygon) else { panic!("{polygon:?}") };
+    assert_eq!(around.curves().len(), 4);
+    assert_eq!(<[f64; 3]>::from(around.curves()[2].start()), [1.0, 1.0, 0.5]);
+    let method = &polygon.methods[0];
+    assert_eq!((method.energy, method.degree), (FillEnergy::Area, Some(8)));
+
+    let sides = film(&format!(
+        "title = \"x\"\n[boundary]\nsides = [[[0,0,0],[1,1,0],[2,0,0]],[[2,0,1e-9],[0,0,0]]]\n{}",
+        LEAST.replace("area\"\n", "dirichlet\"\n")
+    ));
+    let [around] = loops(&sides) else { panic!("{sides:?}") };
+    assert_eq!((around.curves().len(), around.welded()), (2, 1e-9));
+    let method = &sides.methods[0];
+    assert_eq!((method.energy, method.degree), (FillEnergy::Dirichlet, None));
+}
+
+#[test]
+fn curves_of_every_form_make_loops() {
+    let text = format!(
+        r#"title = "x"
+        boundary.loops = [["one", "-two", "three"]]
+        [[curve]]
+        name = "one"
+        ends = ["a", "b"]
+        points = [[0,0,0],[1,2,0],[2,0,0]]
+        [[curve]]
+        name = "two"
+        ends = ["c", "b"]
+        spline = {{ degree = 1, knots = [0, 0, 1, 2, 2], points = [[2,2,0],[3,1,0],[2,0,0]] }}
+        [[curve]]
+        name = "three"
+        ends = ["c", "a"]
+        circle = {{ center = [1,1,0], normal = [0,0,2], radius = 1.4142135623730951, from = [2,2,0], arc = [0, 180] }}
+        {LEAST}"#
+    );
+    let film = film(&text);
+    let [around] = loops(&film) else { panic!("{film:?}") };
+    let places: Vec<[f64; 3]> = around.curves().iter().map(|c| c.start().into()).collect();
+    for (place, expected) in places.iter().zip([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0]]) {
+        assert!(place.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-15), "{places:?}");
+    }
+    // The arc runs to the left seen against its normal: over [0, 2, 0].
+    let middle = <[f64; 3]>::from(around.curves()[2].point(0.5));
+    assert!(middle.iter().zip([0.0, 2.0, 0.0]).all(|(x, y)| (x - y).abs() < 1e-14), "{middle:?}");
+}
+
+#[test]
+fn closed_curves_close_by_themselves() {
+    for form in [
+        "polyline = [[0,0,0],[1,0,0],[0,1,0]]",
+        "polyline = [[0,0,0],[1,0,0],[0,1,0],[0,0,0]]",
+        "through = { points = [[0,0,0],[1,0,0],[0,1,0]] }",
+        "circle = { center = [0,0,0], normal = [1,1,1], radius = 2 }",
+        "points = [[0,0,0],[2,1,0],[-2,1,0],[0,0,0]]",
+    ] {
+        let film = film(&format!(
+            "title = \"x\"\n[boundary]\nloops = [[\"c\"]]\n[[curve]]\nname = \"c\"\n{form}\n{LEAST}"
+        ));
+        let [around] = loops(&film) else { panic!("{film:?}") };
+        assert!(around.curves()[0].is_closed() && around.welded() == 0.0, "{form}");
+    }
+}
+
+#[test]
+fn faces_between_curves() {
+    let text = Template::Faces.text();
+    let film = film(text);
+    let Rim::Faces(graph) = &film.rim else { panic!("{film:?}") };
+    assert_eq!((graph.curves().len(), graph.faces().len(), graph.names().len()), (6, 3, 5));
+    assert!(["foot", "head", "south"].iter().all(|name| graph.names().iter().any(|n| n == name)));
+    // A boundary without points may stand beside them.
+    assert!(Plan::parse("f.toml", &text.replace("[output]", "[boundary]\n[output]")).is_ok());
+    // Vertices in the middle of the faces, one that stays and one that only starts somewhere.
+    for fixed in ["true", "false"] {
+        let faces = text
+            .replace("vertices = [\"foot\", \"south\", \"head\"]", "vertices = [\"foot\", \"south\", \"o\"]\n[[face]]\nvertices = [\"south\", \"head\", \"o\"]\n[[face]]\nvertices = [\"head\", \"foot\", \"o\"]");
+        let vertex = format!("[[vertex]]\nname = \"o\"\npoint = [-0.2, -0.3, 1]\nfixed = {fixed}\n[output]");
+        assert!(Plan::parse("f.toml", &faces.replace("[output]", &vertex)).is_ok());
+    }
+}
+
+/// The surface of a text with one method.
+fn surface(text: &str) -> Done {
+    let finished = run(&plan(text), Options::default(), &()).expect("it runs");
+    let [method] = <[_; 1]>::try_from(finished.results.methods).expect("one method");
+    *method.outcome.unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn loops_run_end_to_end() {
+    // Six edges of a cube; 3K(¾)/(2K(¼)).
+    let text = format!(
+        "title = \"x\"\n[boundary]\npolygon = [[0,0,0],[1,0,0],[1,1,0],[1,1,1],[0,1,1],[0,0,1]]\n{LEAST}degree = 6\nexpect.area = 1.918892357\n"
+    );
+    let done = surface(&text);
+    assert!((done.figures.area.value - 1.918_892_356_756_509).abs() < 1e-10, "{:?}", done.figures.area);
+    let film = done.film.expect("a film");
+    assert!(film.seams.kink.is_some_and(|kink| kink.max < 1e-5) && film.rim.largest < 1e-14);
+    // Two circles of radius 1 at distance 0.6: the catenoid, and what both discs have.
+    let rings = format!(
+        "title = \"x\"\n[boundary]\nloops = [[\"low\"], [\"high\"]]\n\
+         [[curve]]\nname = \"low\"\ncircle = {{ center = [0,0,0], normal = [0,0,1], radius = 1 }}\n\
+         [[curve]]\nname = \"high\"\ncircle = {{ center = [0,0,0.6], normal = [0,0,1], radius = 1 }}\n{LEAST}degree = 8\n"
+    );
+    let done = surface(&rings);
+    let discs = done.film.and_then(|film| film.one_by_one).expect("two loops");
+    assert!((discs - 2.0 * std::f64::consts::PI).abs() < 1e-6 && done.figures.area.value < discs, "{discs}");
+}
+
+#[test]
+fn the_film_templates_show_every_key_of_their_tables() {
+    let text = format!("{}{}", Template::Loops.text(), Template::Faces.text());
+    for key in [
+        "loops",
+        "polygon",
+        "sides",
+        "name",
+        "ends",
+        "points",
+        "polyline",
+        "spline",
+        "degree",
+        "knots",
+        "weights",
+        "through",
+        "tolerance",
+        "circle",
+        "center",
+        "normal",
+        "radius",
+        "from",
+        "arc",
+        "vertices",
+        "point",
+        "fixed",
+        "layers",
+    ] {
+        assert!(text.contains(&format!("{key} = ")) || text.contains(&format!("[curve.{key}]")), "{key}");
+    }
 }
 
 #[test]

@@ -392,11 +392,10 @@ pub(crate) fn man(stdout: &mut impl Write) -> Result<(), Failure> {
 }
 
 fn subject(plan: &Plan) -> String {
+    let methods = |count: usize| if count == 1 { "1 method".to_owned() } else { format!("{count} methods") };
     match &plan.experiment {
-        Experiment::Patch(patches) => match patches.methods.len() {
-            1 => "1 method".to_owned(),
-            count => format!("{count} methods"),
-        },
+        Experiment::Patch(patches) => methods(patches.methods.len()),
+        Experiment::Film(film) => methods(film.methods.len()),
         Experiment::Helicoid(_) => "a helicoid".to_owned(),
         Experiment::TrapeziumHelicoid(_) => "a helicoid over a trapezium".to_owned(),
         Experiment::Curve(curve) => format!("a curve at {} samples", curve.samples.len()),

@@ -94,3 +94,14 @@ fn quoted_tables_are_those_of_the_program() {
     let plan = Plan::read(docs().join("../fixtures/gt-5.1.toml")).unwrap();
     quotes("../README.md", &table(&run(&plan, Options::default(), &()).unwrap().results, WIDTH));
 }
+
+#[test]
+fn the_list_of_keys_is_that_of_the_program() {
+    let page = fs::read_to_string(docs().join("keys.md")).unwrap();
+    let right = experiment::key_list();
+    let first = page.lines().zip(right.lines()).find(|(ours, theirs)| ours != theirs);
+    assert!(
+        page == right,
+        "docs/keys.md is not what `cargo run -p plateau-experiment --example key_list` prints: {first:?}"
+    );
+}

@@ -1,6 +1,6 @@
 //! A patch that was found, with its figures.
 
-use crate::{BoundaryFigures, ClosedForm, Figures, Solved, Warning};
+use crate::{BoundaryFigures, ClosedForm, Figures, FilmFigures, Solved, Warning};
 
 /// A method that found its patch.
 #[derive(Debug)]
@@ -16,6 +16,8 @@ pub struct Done {
     pub boundary: Option<BoundaryFigures>,
     /// How it compares with its closed form, for surfaces that have one.
     pub closed_form: Option<ClosedForm>,
+    /// How its patches lie, for surfaces over loops and faces.
+    pub film: Option<FilmFigures>,
     /// What a reader must know about this method.
     pub warnings: Vec<Warning>,
 }

@@ -15,12 +15,14 @@ pub enum Family {
     Aht,
     /// Degree 1 in u, algebraic–trigonometric functions of order 6 in v (AT).
     At,
+    /// Tensor products of Bernstein polynomials on faces that share edges.
+    Complex,
 }
 
 impl Family {
     /// Every family.
-    pub const ALL: [Self; 6] =
-        [Self::Bernstein, Self::Gt, Self::TbCoons, Self::Triangle, Self::Aht, Self::At];
+    pub const ALL: [Self; 7] =
+        [Self::Bernstein, Self::Gt, Self::TbCoons, Self::Triangle, Self::Aht, Self::At, Self::Complex];
 
     /// `patch` and `basis` as `result.json` writes them.
     #[must_use]
@@ -32,6 +34,7 @@ impl Family {
             Self::Triangle => ("triangle", "bernstein"),
             Self::Aht => ("tensor", "aht"),
             Self::At => ("tensor", "at"),
+            Self::Complex => ("complex", "bernstein"),
         }
     }
 

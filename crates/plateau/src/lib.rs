@@ -44,6 +44,7 @@ mod error;
 mod family;
 mod figures;
 mod film;
+mod film_figures;
 mod helicoid;
 mod interior;
 mod keeper;
@@ -81,6 +82,7 @@ pub use error::MethodError;
 pub use family::Family;
 pub use figures::Figures;
 pub use film::{Fill, FillEnergy, Film, FilmFace, Tried, fill};
+pub use film_figures::FilmFigures;
 pub use helicoid::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium};
 pub use keeper::Keeper;
 pub use least_area::{

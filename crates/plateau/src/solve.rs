@@ -39,24 +39,24 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
     }
     memory::holds(memory::of_mesh(context.mesh))?;
+    let mut mesh = solved.surface.mesh(context.mesh)?;
     context.progress.begin(&format!("figures of {}", method.name), None);
-    let mut mesh = solved.surface.mesh(context.mesh);
     let figures = figures(&solved, &mesh, origin);
     context.progress.end();
     let figures = figures?;
     let boundary = match &solved.surface {
         Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
-        Surface::Triangle(_) | Surface::Pieces(_) => None,
+        Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
     };
     let warnings = trust::warnings(&solved, &figures, &context.search);
     solved.surface = solved.surface.moved(origin)?;
     mesh.points.iter_mut().for_each(|p| *p += origin);
-    Ok(Done { solved, mesh, figures, boundary, closed_form: None, warnings })
+    Ok(Done { solved, mesh, figures, boundary, closed_form: None, film: None, warnings })
 }
 
 /// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.
 fn figures(solved: &Solved, mesh: &surfaces::Mesh, origin: surfaces::Point) -> Result<Figures, MethodError> {
-    let patches = [solved.surface.patch()];
+    let patches: Vec<&dyn surfaces::Patch> = solved.surface.patch().into_iter().collect();
     let mut figures = Figures::of_moved(&patches, mesh, origin.norm())?;
     if solved.minimised == Some(Energy::Coons) {
         figures.coons_functional = Some(figures.coons_functional(&patches)?);
@@ -84,7 +84,7 @@ fn of_least_area(
         match family {
             Family::Bernstein => starts.push(TensorPatch::bernstein(other.net().raised(m - k))?),
             Family::Gt | Family::TbCoons if k == m => starts.push(patch.with_net(other.net().clone())?),
-            Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At => {}
+            Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At | Family::Complex => {}
         }
     }
     let (tolerance, progress) = (method.tolerance, context.progress);
@@ -93,7 +93,7 @@ fn of_least_area(
             let net = boundary_net(boundary)?;
             least_area_raised(&net, method.raise, &starts, tolerance, progress)
         }
-        Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At => {
+        Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At | Family::Complex => {
             least_area_from(patch, &starts, tolerance, progress)
         }
     }

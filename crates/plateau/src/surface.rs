@@ -1,6 +1,6 @@
 //! Patches of any kind.
 
-use surfaces::{Mesh, Patch, Pieces, Point, SurfaceError, TensorPatch, TrianglePatch};
+use surfaces::{Complex, ComplexError, Mesh, Patch, Pieces, Point, SurfaceError, TensorPatch, TrianglePatch};
 
 /// A patch of any kind.
 #[derive(Debug, Clone)]
@@ -11,15 +11,18 @@ pub enum Surface {
     Triangle(TrianglePatch),
     /// On several rectangular nets that meet, or one.
     Pieces(Pieces),
+    /// On faces that share edges.
+    Complex(Complex),
 }
 
 impl Surface {
-    /// The patch as such.
-    pub fn patch(&self) -> &dyn Patch {
+    /// The patch as such; none of a complex, which has one for each face.
+    pub fn patch(&self) -> Option<&dyn Patch> {
         match self {
-            Self::Tensor(patch) => patch,
-            Self::Triangle(patch) => patch,
-            Self::Pieces(pieces) => pieces,
+            Self::Tensor(patch) => Some(patch),
+            Self::Triangle(patch) => Some(patch),
+            Self::Pieces(pieces) => Some(pieces),
+            Self::Complex(_) => None,
         }
     }
 
@@ -48,6 +51,7 @@ impl Surface {
                 share(&patch.net().indices().map(on_border).collect::<Vec<_>>(), patch.net().points())
             }
             Self::Pieces(_) => 0.0,
+            Self::Complex(complex) => share(complex.fixed(), complex.points()),
         }
     }
 
@@ -57,6 +61,7 @@ impl Surface {
             Self::Tensor(patch) => patch.net().degrees(),
             Self::Triangle(patch) => (patch.net().degree(), patch.net().degree()),
             Self::Pieces(_) => (0, 0),
+            Self::Complex(complex) => (complex.degree(), complex.degree()),
         }
     }
 
@@ -82,11 +87,29 @@ impl Surface {
                 let patches = pieces.patches().iter().cloned().map(tensor).collect::<Result<_, _>>()?;
                 Self::Pieces(Pieces::from_patches(u, v, patches)?)
             }
+            // Films are not moved: least areas over complexes have a frame of their own.
+            Self::Complex(complex) => Self::Complex(complex),
         })
     }
 
-    /// Its triangle mesh.
-    pub fn mesh(&self, subdivisions: usize) -> Mesh {
-        Mesh::of(self.patch(), subdivisions)
+    /// Its triangle mesh, of `subdivisions` steps of each parameter; of a complex, with about as many vertices in all.
+    ///
+    /// # Errors
+    /// [`ComplexError::TooLarge`] for a complex of more faces than a mesh holds.
+    pub fn mesh(&self, subdivisions: usize) -> Result<Mesh, ComplexError> {
+        match self {
+            Self::Tensor(patch) => Ok(Mesh::of(patch, subdivisions)),
+            Self::Triangle(patch) => Ok(Mesh::of(patch, subdivisions)),
+            Self::Pieces(pieces) => Ok(Mesh::of(pieces, subdivisions)),
+            Self::Complex(complex) => Ok(complex.mesh(per_face(complex, subdivisions))?.mesh),
+        }
     }
+}
+
+/// Subdivisions of the sides of the faces of a complex that make about as many vertices as one patch of so many.
+pub(crate) fn per_face(complex: &Complex, subdivisions: usize) -> usize {
+    const FEWEST: usize = 4;
+    const MOST: usize = 100;
+    let faces = complex.faces().len() as f64;
+    ((subdivisions as f64 / faces.sqrt()).ceil() as usize).clamp(FEWEST, MOST)
 }

@@ -1,7 +1,7 @@
 //! `result.json`, the record of an experiment for other programs.
 
 use serde::{Deserialize, Serialize};
-use surfaces::TriangleNet;
+use surfaces::{Complex, Face, TriangleNet};
 
 use crate::{Manifest, SCHEMA};
 use exchange::SurfaceForm;
@@ -368,7 +368,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         Ok(done) => done,
         Err(error) => return MethodEntry::Failed { name: result.name.clone(), error: error.to_string() },
     };
-    let solve = done.solved.solve.as_ref();
+    let (solve, film) = (done.solved.solve.as_ref(), done.film.as_ref());
     let value = |quantity: Quantity| quantity.of(done).and_then(|figure| finite(figure.value));
     let error = |quantity: Quantity| quantity.of(done).and_then(|figure| figure.error).and_then(finite);
     let (patch, basis) = done.solved.family.names();
@@ -398,15 +398,19 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             Surface::Tensor(patch) => Some(NetEntry::Rows(rows(patch.net()))),
             Surface::Triangle(patch) => Some(NetEntry::Triangle(indexed(patch.net()))),
             Surface::Pieces(pieces) => single_net(pieces).map(NetEntry::Rows),
+            Surface::Complex(_) => None,
         },
-        faces: None,
+        faces: match (&done.solved.surface, &done.film) {
+            (Surface::Complex(complex), Some(film)) => Some(faces(complex, &film.names)),
+            (Surface::Complex(_) | Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_), _) => None,
+        },
         domain: match &done.solved.surface {
             Surface::Pieces(pieces) => Some(DomainEntry::new(pieces)),
-            Surface::Tensor(_) | Surface::Triangle(_) => None,
+            Surface::Tensor(_) | Surface::Triangle(_) | Surface::Complex(_) => None,
         },
         pieces: match &done.solved.surface {
             Surface::Pieces(pieces) => piece_entries(pieces),
-            Surface::Tensor(_) | Surface::Triangle(_) => None,
+            Surface::Tensor(_) | Surface::Triangle(_) | Surface::Complex(_) => None,
         },
         weights: done.closed_form.and_then(|form| form.weights),
         deviation: value(Quantity::Deviation),
@@ -432,18 +436,34 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             left_saddle: found.left_saddle,
         }),
         boundary_deviation: value(Quantity::BoundaryDeviation),
-        rim_deviation: None,
-        kink: None,
-        jacobian_ratio: done.solved.area.map(|found| found.jacobian_ratio).and_then(finite),
+        rim_deviation: film.map(|film| film.rim.largest).and_then(finite),
+        kink: film.and_then(|film| film.seams.kink).map(|kink| Kink { max: kink.max, rms: kink.rms }),
+        jacobian_ratio: match film {
+            Some(film) => finite(film.seams.jacobian_ratio),
+            None => done.solved.area.map(|found| found.jacobian_ratio).and_then(finite),
+        },
         area_estimate: None,
         lower_bound: None,
-        spanned_one_by_one: None,
+        spanned_one_by_one: film.and_then(|film| film.one_by_one).and_then(finite),
         harmonic_bound: value(Quantity::HarmonicBound),
         harmonic_bound_error: error(Quantity::HarmonicBound),
         search: done.solved.search.as_ref().map(search_entry),
         files: Vec::new(),
         warnings: done.warnings.iter().map(ToString::to_string).collect(),
     }))
+}
+
+fn faces(complex: &Complex, names: &[String]) -> Vec<FaceEntry> {
+    let count = complex.degree() + 1;
+    let entry = |face: &Face| FaceEntry {
+        vertices: face.vertices().map(|vertex| names[vertex].clone()).to_vec(),
+        net: face
+            .nodes()
+            .chunks_exact(count)
+            .map(|row| row.iter().map(|&k| complex.points()[k].into()).collect())
+            .collect(),
+    };
+    complex.faces().iter().map(entry).collect()
 }
 
 fn indexed(net: &TriangleNet) -> Vec<IndexedPoint> {

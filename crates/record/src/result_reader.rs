@@ -1,5 +1,6 @@
 //! `result.json` read back: the surfaces of its methods, bit for bit.
 
+use std::collections::{HashMap, HashSet};
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
@@ -10,7 +11,8 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use surfaces::{
-    Mesh, Net, Pieces, Point, Product, SurfaceError, TensorPatch, TriangleNet, TrianglePatch, tb_coons,
+    Bezier, Complex, FixedEdge, Mesh, Net, Pieces, Point, Product, SurfaceError, TensorPatch, TriangleNet,
+    TrianglePatch, Vertex, tb_coons,
 };
 use thiserror::Error;
 
@@ -116,6 +118,7 @@ struct Entry {
     net: Option<Value>,
     domain: Option<Value>,
     pieces: Option<Value>,
+    faces: Option<Value>,
 }
 
 #[derive(Deserialize)]
@@ -129,6 +132,12 @@ struct PieceEntry {
     u: [f64; 2],
     v: [f64; 2],
     net: Vec<Vec<[f64; 3]>>,
+}
+
+#[derive(Deserialize)]
+struct FaceEntry {
+    vertices: [String; 4],
+    net: Rows,
 }
 
 #[derive(Deserialize)]
@@ -221,7 +230,15 @@ impl StoredMethod {
             path: to.path().to_owned(),
             reason: format!("the method failed: {error}"),
         })?;
-        let mesh = if format == Format::Step { Mesh::default() } else { surface.mesh(subdivisions) };
+        let mesh = match format {
+            Format::Step => Mesh::default(),
+            Format::Obj | Format::Ply | Format::Stl | Format::Glb | Format::Vtu => {
+                surface.mesh(subdivisions).map_err(|error| ExportError::Refused {
+                    path: to.path().to_owned(),
+                    reason: error.to_string(),
+                })?
+            }
+        };
         export::write(
             format,
             Named { name: &self.name, surface, family: *family, mesh: &mesh },
@@ -241,10 +258,7 @@ fn surface(entry: Entry, place: &str) -> Result<(Surface, Family), ReadError> {
             .collect();
         unfit(
             &key("patch"),
-            format!(
-                "{patch:?} with basis {basis:?} is no surface known here, which are {}",
-                known.join(", ")
-            ),
+            format!("{patch:?} with basis {basis:?} is not known; surfaces are {}", known.join(", ")),
         )
     })?;
     let net_key = key("net");
@@ -258,6 +272,7 @@ fn surface(entry: Entry, place: &str) -> Result<(Surface, Family), ReadError> {
         Family::Bernstein => sound(TensorPatch::bernstein(whole(entry.net)?))?,
         Family::Gt => sound(TensorPatch::gt(whole(entry.net)?, shape(entry.shape)?))?,
         Family::TbCoons => sound(tb_coons(whole(entry.net)?, shape(entry.shape)?))?,
+        Family::Complex => complex(&typed::<Vec<FaceEntry>>(entry.faces, &key("faces"))?, &key("faces"))?,
         Family::Triangle => triangle(&typed::<Vec<IndexedPoint>>(entry.net, &net_key)?, &net_key)?,
         Family::Aht | Family::At => Surface::Pieces(match entry.pieces {
             Some(value) => {
@@ -350,11 +365,58 @@ fn pieces(entries: &[PieceEntry], family: Family, key: &str) -> Result<Pieces, R
     Pieces::from_patches(u, v, patches).map_err(|error| unfit(key, error.to_string()))
 }
 
+/// The complex of faces that share the edges between vertices of the same names.
+fn complex(faces: &[FaceEntry], key: &str) -> Result<Surface, ReadError> {
+    let Some(first) = faces.first() else { return Err(unfit(key, "is empty".into())) };
+    let degree = first.net.len().saturating_sub(1);
+    let (mut numbers, mut vertices) = (HashMap::new(), Vec::new());
+    let (mut corners, mut edges, mut met) = (Vec::new(), Vec::new(), HashSet::new());
+    for (k, face) in faces.iter().enumerate() {
+        let here = format!("{key}[{k}].net");
+        let net = net_of(&face.net, &here)?;
+        if net.degrees() != (degree, degree) {
+            return Err(unfit(&here, format!("has degrees {:?}, the first face {degree}", net.degrees())));
+        }
+        let [u0, u1, v0, v1] = net.boundary();
+        let places = [u0[0], u1[0], u1[degree], u0[degree]];
+        let quad: [usize; 4] = std::array::from_fn(|c| {
+            *numbers.entry(face.vertices[c].as_str()).or_insert_with(|| {
+                vertices.push(Vertex::Fixed(places[c]));
+                vertices.len() - 1
+            })
+        });
+        for (ends, side) in [([0, 3], u0), ([1, 2], u1), ([0, 1], v0), ([3, 2], v1)] {
+            let ends = ends.map(|c| quad[c]);
+            if met.insert([ends[0].min(ends[1]), ends[0].max(ends[1])]) {
+                let curve = Bezier::new(side).map_err(|error| unfit(&here, error.to_string()))?;
+                edges.push(FixedEdge { ends, curve });
+            }
+        }
+        corners.push(quad);
+    }
+    let whole = Complex::new(degree, &vertices, &corners, &edges);
+    let filled = whole.and_then(|whole| {
+        let mut points = whole.points().to_vec();
+        for (face, entry) in whole.faces().iter().zip(faces) {
+            for (&node, &point) in face.nodes().iter().zip(entry.net.iter().flatten()) {
+                points[node] = point.into();
+            }
+        }
+        whole.with_points(points)
+    });
+    filled.map(Surface::Complex).map_err(|error| unfit(key, error.to_string()))
+}
+
 fn families(family: Family, entry: &PieceEntry) -> Result<[Arc<dyn Basis>; 2], BasisError> {
     let span = |[start, end]: [f64; 2]| end - start;
     Ok(match family {
         Family::At => [Arc::new(Bernstein::new(1)?), Arc::new(At::new(span(entry.v))?)],
-        _ => [Arc::new(Aht::new(span(entry.u))?), Arc::new(Aht::new(span(entry.v))?)],
+        Family::Aht
+        | Family::Bernstein
+        | Family::Gt
+        | Family::TbCoons
+        | Family::Triangle
+        | Family::Complex => [Arc::new(Aht::new(span(entry.u))?), Arc::new(Aht::new(span(entry.v))?)],
     })
 }
 

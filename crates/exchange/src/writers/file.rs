@@ -38,9 +38,12 @@ impl<'a> SurfaceFile<'a> {
     pub fn new(
         format: Format,
         subject: Subject<'a>,
-        (surface, family): (&Surface, Family),
+        (surface, family): (&'a Surface, Family),
         tolerance: f64,
     ) -> Result<Self, Unfit> {
+        if let Surface::Complex(complex) = surface {
+            return Self::of_complex(format, subject, complex);
+        }
         let content = match export(format) {
             Some(export) => Content::of_mesh(export, subject.mesh)?,
             None => {

@@ -57,6 +57,9 @@ pub(crate) enum SplineError {
         /// Diagonal of the box around points of the surface.
         size: f64,
     },
+    /// A surface of several faces is no single spline.
+    #[error("the surface has several faces that share edges: no single B-spline holds it")]
+    Faces,
     /// One segment a piece is too many.
     #[error(
         "the surface has too many pieces for one B-spline of up to {max} control points: shorten its spans",
@@ -129,6 +132,7 @@ impl Spline {
                 Grid { cuts, patches: pieces.patches(), whole: pieces }.fit(tolerance)
             }
             Surface::Triangle(patch) => Ok((Self::triangle(patch)?, Accuracy::Exact)),
+            Surface::Complex(_) => Err(SplineError::Faces),
         }
     }
 
@@ -457,9 +461,10 @@ mod tests {
     }
 
     fn distance(surface: &Surface, spline: &Spline, count: usize) -> f64 {
-        let Domain::Rectangle { u, v } = surface.patch().domain() else { panic!("a rectangle") };
+        let patch = surface.patch().expect("a single patch");
+        let Domain::Rectangle { u, v } = patch.domain() else { panic!("a rectangle") };
         let (us, vs) = (steps(u, count), steps(v, count));
-        let jets = surface.patch().jets(&us, &vs);
+        let jets = patch.jets(&us, &vs);
         let pairs = jets.iter().zip(spline.points_at(&us, &vs));
         pairs.map(|(jet, p)| jet.point.distance(p)).fold(0.0, f64::max)
     }

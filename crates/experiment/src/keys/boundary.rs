@@ -2,7 +2,8 @@
 
 use plateau::{MAX_COORDINATE, MAX_DEGREE};
 
-use crate::text::{Key, Points, Section, Ways, Whole};
+use super::boundary_curve::MOST_CORNERS;
+use crate::text::{Key, List, Points, Section, Text, Ways, Whole};
 
 pub(crate) const SIDES_OF_A_NET: &str = "a tensor boundary has four lists of points: u0 (row i = 0), u1 (row i = m), \
      v0 (column j = 0), v1 (column j = n), with the corners repeated";
@@ -39,14 +40,42 @@ pub(crate) static BC: Key<Points> =
 pub(crate) static CA: Key<Points> =
     Key::new("ca", SIDE, "the side from C = P_00n back to A").hint(SIDES_OF_A_TRIANGLE);
 
+pub(crate) static POLYGON: Key<Points> = Key::new(
+    "polygon",
+    Points::between(3, MOST_CORNERS, MAX_COORDINATE).counting("corners"),
+    "the corners of a closed polygon, in order round, the first not repeated",
+)
+.hint("write polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 1]]: three corners or more, in order round, the first not repeated");
+pub(crate) static SIDES: Key<List<Points>> = Key::new(
+    "sides",
+    List { each: SIDE, least: 1, most: MOST_CORNERS, example: "[[[0, 0, 0], [1, 1, 0]], [[1, 1, 0], [2, 0, 1], [0, 0, 0]]]" },
+    "the Bézier sides of a loop in order round, each the list of its control points, which begins where the side before ends",
+)
+.hint("write sides = [[[0, 0, 0], [1, 1, 0]], …]: lists of control points, in order round");
+pub(crate) static LOOPS: Key<List<List<Text>>> = Key::new(
+    "loops",
+    List {
+        each: List { each: Text::Named, least: 1, most: MOST_CORNERS, example: "[\"rim\", \"-back\"]" },
+        least: 1,
+        most: 2,
+        example: "[[\"rim\", \"-back\"]]",
+    },
+    "loops of [[curve]]s by their names, `-` before one that runs the other way: one loop is spanned by a disc, two by an annulus",
+)
+.such_as("[[\"rim\", \"-back\"]]")
+.hint("write loops = [[\"rim\", \"-back\"]], one loop or two, each a list of names of curves; more loops need [[face]] tables");
+
 pub(crate) static SECTION: Section = Section {
-    doc: "the control points that stay fixed: four sides of a tensor net (`u0`, `u1`, `v0`, `v1`), two opposite sides and a \
-          degree, or three sides of a triangle (`ab`, `bc`, `ca`)",
-    keys: &[&U0, &U1, &V0, &V1, &U_DEGREE, &V_DEGREE, &AB, &BC, &CA],
+    doc: "what the surface spans: four sides of a tensor net (`u0`, `u1`, `v0`, `v1`), two opposite sides and a degree, three sides \
+          of a triangle (`ab`, `bc`, `ca`), a `polygon`, `sides` of any number, or `loops` of curves",
+    keys: &[&U0, &U1, &V0, &V1, &U_DEGREE, &V_DEGREE, &AB, &BC, &CA, &POLYGON, &SIDES, &LOOPS],
     ways: Ways::Any(&[
         &["u0", "u1", "v0", "v1"],
         &["u0", "u1", "u-degree"],
         &["v0", "v1", "v-degree"],
         &["ab", "bc", "ca"],
+        &["polygon"],
+        &["sides"],
+        &["loops"],
     ]),
 };

@@ -41,6 +41,10 @@ impl Form for Samples {
         "a list of parameters, or how many".to_owned()
     }
 
+    fn admits(&self) -> String {
+        format!("{}, or {}", COUNT.admits(), PARAMETERS.admits())
+    }
+
     fn schema(&self) -> Map<String, Json> {
         let forms = [Json::Object(COUNT.schema()), Json::Object(PARAMETERS.schema())];
         [("anyOf".to_owned(), json!(forms))].into_iter().collect()

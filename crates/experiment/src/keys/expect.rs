@@ -28,6 +28,10 @@ impl Form for Expected {
         "a number, a list of numbers, or { value = …, tolerance = … }".to_owned()
     }
 
+    fn admits(&self) -> String {
+        "a number, a list of them, or `{ value, tolerance }`".to_owned()
+    }
+
     fn schema(&self) -> Map<String, Json> {
         let forms = [Interval::FINITE.schema(), LIST.schema(), TOLERANCED.schema()].map(Json::Object);
         [("anyOf".to_owned(), json!(forms))].into_iter().collect()

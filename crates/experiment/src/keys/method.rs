@@ -23,6 +23,18 @@ static MODES: [(&str, SearchMode); 3] =
 
 static MASKS: [(&str, Mask); 2] = [("dirichlet", Mask::Dirichlet), ("coons", Mask::Coons)];
 
+/// Highest degree of the patches of a surface over loops or faces: a face of degree p has 3(p − 1)² unknowns.
+const MOST_OF_A_COMPLEX: u64 = 24;
+
+/// A boundary of four sides, or of two opposite ones.
+pub(crate) const TENSOR: &str = "tensor";
+/// A boundary of three sides.
+pub(crate) const TRIANGLE: &str = "triangle";
+/// A boundary of loops or faces.
+pub(crate) const LOOPS: &str = "loops";
+
+const NETS: &[&str] = &[TENSOR, TRIANGLE];
+
 /// Whether shape parameters are searched, and how.
 #[derive(Clone, Copy)]
 pub(crate) struct Searching;
@@ -30,6 +42,10 @@ pub(crate) struct Searching;
 impl Form for Searching {
     fn expected(&self) -> String {
         "true, false, \"pso\", \"polish\" or \"pso-polish\"".to_owned()
+    }
+
+    fn admits(&self) -> String {
+        format!("`true`, `false`, {}", Name(&MODES).admits())
     }
 
     fn schema(&self) -> Map<String, Json> {
@@ -68,6 +84,10 @@ impl Form for Weights {
         "the corner weight, a number, or \"dirichlet\" or \"coons\"".to_owned()
     }
 
+    fn admits(&self) -> String {
+        format!("a number, {}, or {}", ALPHA.admits(), Name(&MASKS).admits())
+    }
+
     fn schema(&self) -> Map<String, Json> {
         let forms = [Json::Object(ALPHA.schema()), Json::Object(Name(&MASKS).schema())];
         [("anyOf".to_owned(), json!(forms))].into_iter().collect()
@@ -99,19 +119,22 @@ pub(crate) static PATCH: Key<Name<Patch>> = Key::new(
     Name(&[("tensor", Patch::Tensor), ("tb-coons", Patch::TbCoons)]),
     "the kind of patch over a tensor boundary; triangles need no such key",
 )
-.or("\"tensor\"");
+.or("\"tensor\"")
+.over(&[TENSOR]);
 pub(crate) static BASIS: Key<Name<Basis>> = Key::new(
     "basis",
     Name(&[("bernstein", Basis::Bernstein), ("gt", Basis::Gt)]),
     "the basis in which the net is read; of a TB–Coons patch it is \"gt\"",
 )
-.or("\"bernstein\"");
+.or("\"bernstein\"")
+.over(NETS);
 pub(crate) static SHAPE: Key<Reals> = Key::new(
     "shape",
     Reals::exactly(4, Interval::between(0.0, 4.0)),
     "the shape parameters [a1, a2, b1, b2] of the GT basis, a in u, b in v",
 )
-.hint("write shape = [a1, a2, b1, b2], a in u and b in v, each in [0, 4]: outside, the GT functions become negative");
+.hint("write shape = [a1, a2, b1, b2], a in u and b in v, each in [0, 4]: outside, the GT functions become negative")
+.over(&[TENSOR]);
 pub(crate) static SEARCH: Key<Searching> = Key::new(
     "search",
     Searching,
@@ -119,7 +142,8 @@ pub(crate) static SEARCH: Key<Searching> = Key::new(
      each run's best, \"pso\" the swarm alone, \"polish\" descents from random starts",
 )
 .or("false")
-.such_as("\"pso\"");
+.such_as("\"pso\"")
+.over(NETS);
 pub(crate) static ENERGY: Key<Name<Energy>> =
     Key::new("energy", Name(&ENERGIES), "the energy whose extremal the interior is").such_as("\"dirichlet\"");
 pub(crate) static RAISE: Key<Whole<usize>> = Key::new(
@@ -127,21 +151,24 @@ pub(crate) static RAISE: Key<Whole<usize>> = Key::new(
     Whole::between(0, MAX_DEGREE as u64),
     "the number of degrees by which the boundary is raised before solving, exactly for Bernstein",
 )
-.or("0");
+.or("0")
+.over(NETS);
 pub(crate) static DOMAIN: Key<Name<ReferenceTriangle>> = Key::new(
     "domain",
     Name(&[("right", ReferenceTriangle::Right), ("equilateral", ReferenceTriangle::Equilateral)]),
     "the plane triangle over which the energy of a triangular extremal is taken: over the \"right\" one of the papers the corner C is apart, \
      over the \"equilateral\" one none is",
 )
-.or("\"right\"");
+.or("\"right\"")
+.over(&[TRIANGLE]);
 pub(crate) static METRIC_STEPS: Key<Whole<usize>> = Key::new(
     "metric-steps",
     Whole::between(0, 1000),
     "the number of metric corrections after the Dirichlet extremal, towards least area: one is the Dirichlet correction of \
      TRI §7, 20 come near the limit",
 )
-.or("0");
+.or("0")
+.over(NETS);
 pub(crate) static MASK: Key<Weights> = Key::new(
     "mask",
     Weights,
@@ -149,19 +176,22 @@ pub(crate) static MASK: Key<Weights> = Key::new(
      triangles",
 )
 .such_as("-0.25")
-.hint("give the corner weight; the edge weight follows from it: 3α + 6β = 1 on triangles, 4α + 4β = 1 on tensor nets");
+.hint("give the corner weight; the edge weight follows from it: 3α + 6β = 1 on triangles, 4α + 4β = 1 on tensor nets")
+.over(NETS);
 pub(crate) static CONSTRUCTION: Key<Name<Interior>> = Key::new(
     "construction",
     Name(&[("discrete-coons", Interior::DiscreteCoons), ("harmonic", Interior::Harmonic)]),
     "the closed formula that gives the net: no energy is minimised",
 )
-.such_as("\"discrete-coons\"");
+.such_as("\"discrete-coons\"")
+.over(NETS);
 pub(crate) static SEARCH_ENERGY: Key<Name<Energy>> = Key::new(
     "search-energy",
     Name(&ENERGIES),
     "what the shape parameters minimise; left out, it is `energy`, and \"laplacian\" for harmonic nets",
 )
-.such_as("\"dirichlet\"");
+.such_as("\"dirichlet\"")
+.over(&[TENSOR]);
 pub(crate) static SOLVER: Key<Name<SolverChoice>> = Key::new(
     "solver",
     Name(&[
@@ -172,13 +202,25 @@ pub(crate) static SOLVER: Key<Name<SolverChoice>> = Key::new(
     ]),
     "the linear solver; \"separable\" serves Dirichlet extremals of tensor patches, \"sparse\" serves masks",
 )
-.or("\"auto\"");
+.or("\"auto\"")
+.over(NETS);
 pub(crate) static TOLERANCE: Key<Interval> = Key::new(
     "tolerance",
     Interval::between(1e-12, 1e-2),
     "the relative decrease of the area that counts as none, for energy = \"area\"; 1e-7 is quick",
 )
 .or("1e-10");
+pub(crate) static DEGREE: Key<Whole<usize>> = Key::new(
+    "degree",
+    Whole::between(1, MOST_OF_A_COMPLEX),
+    "the degree of every patch of the surface; left out, 6 or that of its curves, where it is higher",
+)
+.such_as("6")
+.over(&[LOOPS]);
+pub(crate) static LAYERS: Key<Whole<usize>> =
+    Key::new("layers", Whole::between(0, 1), "the number of graded layers of patches at the corners")
+        .or("0")
+        .over(&[LOOPS]);
 pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
 pub(crate) static PUBLISHED: Key<OneOrSeveral> =
     Key::table("published", OneOrSeveral { one: &expect::PUBLISHED, several: &expect::PUBLISHED });
@@ -200,6 +242,8 @@ pub(crate) static SECTION: Section = Section {
         &SEARCH_ENERGY,
         &SOLVER,
         &TOLERANCE,
+        &DEGREE,
+        &LAYERS,
         &EXPECT,
         &PUBLISHED,
     ],

@@ -22,10 +22,13 @@ pub(crate) static MESH: Key<Whole<usize>> = Key::new(
     "the number of subdivisions of each side of the surface mesh",
 )
 .or("48");
-pub(crate) static FORMATS: Key<Names<Format>> =
-    Key::new("formats", List(Name(&NAMES)), "the formats of the files for other programs")
-        .or("[]")
-        .such_as("[\"obj\"]");
+pub(crate) static FORMATS: Key<Names<Format>> = Key::new(
+    "formats",
+    List { each: Name(&NAMES), least: 0, most: 100, example: "[\"obj\", \"ply\"]" },
+    "the formats of the files for other programs",
+)
+.or("[]")
+.such_as("[\"obj\"]");
 pub(crate) static PICTURES: Key<Flag> =
     Key::new("pictures", Flag, "whether SVG pictures and report.html are written").or("true");
 pub(crate) static STEP_TOLERANCE: Key<Interval> = Key::new(

@@ -40,11 +40,8 @@ struct Read<'t> {
 const NET: [&Key<Points>; 4] = [&U0, &U1, &V0, &V1];
 const TRIANGLE: [&Key<Points>; 3] = [&AB, &BC, &CA];
 
-/// Checks `[boundary]`.
+/// Checks a `[boundary]` of a net.
 pub(super) fn boundary(table: &Table<'_>) -> Sides {
-    if is_mixed(table) {
-        return Sides { kind: None, header: table.span(), boundary: None };
-    }
     let read = Read {
         table,
         faults: table.faults(),
@@ -56,17 +53,30 @@ pub(super) fn boundary(table: &Table<'_>) -> Sides {
     Sides { kind, header: table.span(), boundary }
 }
 
-/// Whether the sides are of two kinds, which is reported; which of them are meant is unknown.
-fn is_mixed(table: &Table<'_>) -> bool {
-    let first = |keys: &[&'static str]| keys.iter().find_map(|key| Some((*key, table.place(&[key])?)));
-    let side = first(&["ab", "bc", "ca"]);
-    let other = first(&["u0", "u1", "v0", "v1", "u-degree", "v-degree"]);
-    let (Some((side, at)), Some((other, beside))) = (side, other) else { return false };
+/// The ways to give a boundary: their keys, and what these are.
+const WAYS: [(&[&str], &str); 5] = [
+    (&["ab", "bc", "ca"], "a side of a triangle"),
+    (&["u0", "u1", "v0", "v1", "u-degree", "v-degree"], "of a tensor net"),
+    (&["polygon"], "a polygon"),
+    (&["sides"], "the sides of a loop"),
+    (&["loops"], "loops of curves"),
+];
+
+/// Whether the boundary is given in two ways, which is reported; which of them is meant is unknown.
+pub(super) fn is_mixed(table: &Table<'_>) -> bool {
+    let first = |(keys, noun): &(&[&'static str], &'static str)| {
+        keys.iter().find_map(|key| Some((*key, *noun, table.place(&[key])?)))
+    };
+    let given: Vec<_> = WAYS.iter().filter_map(first).collect();
+    let [(one, what, at), (other, what_else, beside), ..] = given.as_slice() else { return false };
     table.faults().conflict(
-        (at, "a side of a triangle"),
-        (beside, "belongs to a tensor net"),
-        format!("[boundary] holds `{side}` of a triangle and `{other}` of a tensor net"),
-        format!("keep one kind: {SIDES_OF_A_NET}; {SIDES_OF_A_TRIANGLE}"),
+        (at.clone(), what),
+        (beside.clone(), what_else),
+        format!("[boundary] holds `{one}`, {what}, and `{other}`, {what_else}"),
+        format!(
+            "keep one kind: {SIDES_OF_A_NET}; {SIDES_OF_A_TRIANGLE}; a polygon = [[0, 0, 0], …]; sides = [[[0, 0, 0], …], …]; or \
+             loops = [[\"rim\"]] of [[curve]]s"
+        ),
     );
     true
 }
@@ -97,7 +107,8 @@ impl Read<'_> {
         self.faults.report(
             Diagnostic::at(Fault::Missing, self.table.span(), "[boundary] holds no points", label)
                 .help(SIDES_OF_A_NET)
-                .help(SIDES_OF_A_TRIANGLE),
+                .help(SIDES_OF_A_TRIANGLE)
+                .help("any number of sides make polygon = [[0, 0, 0], …], sides = [[[0, 0, 0], …], …] or loops = [[\"rim\"]] of [[curve]]s"),
         );
     }
 

@@ -4,20 +4,26 @@ use std::path::Path;
 
 use serde_spanned::Spanned;
 
-use super::boundary::{Sides, boundary};
+use super::boundary::{Sides, boundary, is_mixed};
 use super::curve::curve;
+use super::curves::curves;
+use super::faces::faces;
+use super::film;
 use super::helicoid::{helicoid, trapezium};
+use super::loops::{loops, polygon, sides};
 use super::memory::fits;
-use super::method::methods;
+use super::method::{Named, methods as net_methods, named};
 use super::search::search;
-use super::{Experiment, Output, PatchExperiment, Plan, Wanted};
+use super::{Experiment, FilmExperiment, Output, PatchExperiment, Plan, Rim, Wanted};
 use crate::diagnostic::{Diagnostic, Fault};
+use crate::keys::boundary::{LOOPS, POLYGON, SIDES};
 use crate::keys::output::{FORMATS, MESH, PICTURES, STEP_TOLERANCE};
-use crate::keys::{BOUNDARY, CURVE, EXPECT, HELICOID, METHOD, OUTPUT, SEARCH, SEED, TITLE, TRAPEZIUM};
-use crate::text::{Given, Table};
+use crate::keys::{
+    BOUNDARY, CURVE, EXPECT, FACE, HELICOID, METHOD, OUTPUT, SEARCH, SEED, TITLE, TRAPEZIUM, VERTEX,
+};
+use crate::text::{Given, Table, Tables};
 
-const KINDS: &str =
-    "an experiment holds one of [boundary] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]";
+const KINDS: &str = "an experiment holds one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]";
 
 /// The plan that a file describes; its faults are reported.
 pub(super) fn plan(root: &Table<'_>, file: &str) -> Option<Plan> {
@@ -64,35 +70,43 @@ fn output(table: &Table<'_>) -> Option<Output> {
     Some(Output { mesh: mesh?, formats, pictures: pictures?, step_tolerance: step_tolerance? })
 }
 
+/// The tables of a boundary and of what fills it, read but not judged.
+struct Parts<'t> {
+    boundary: Given<Table<'t>>,
+    curves: Given<Vec<Table<'t>>>,
+    faces: Given<Vec<Table<'t>>>,
+    vertices: Given<Vec<Table<'t>>>,
+    methods: Given<Vec<Table<'t>>>,
+    search: Option<Table<'t>>,
+    expect: Given<Table<'t>>,
+}
+
 fn experiment(root: &Table<'_>) -> Option<(Experiment, Vec<Wanted>)> {
-    let subjects: Vec<_> = ["boundary", "helicoid", "trapezium-helicoid", "curve"]
-        .into_iter()
-        .filter_map(|key| Some((key, root.place(&[key])?)))
-        .collect();
-    let [boundary_table, helicoid_table, trapezium_table, curve_table] =
-        [&BOUNDARY, &HELICOID, &TRAPEZIUM, &CURVE].map(|key| root.inner(key));
-    let (methods, search, expect) =
-        (root.several(&METHOD), root.inner_or_empty(&SEARCH), root.inner(&EXPECT));
-    if let [(first, first_span), (second, second_span), ..] = subjects.as_slice() {
-        root.faults().conflict(
-            (second_span.clone(), "a second subject"),
-            (first_span.clone(), "the first subject"),
-            format!("one experiment holds both [{first}] and [{second}]"),
-            format!("put them into two files; {KINDS}"),
-        );
+    let [helicoid_table, trapezium_table] = [&HELICOID, &TRAPEZIUM].map(|key| root.inner(key));
+    let (curve_table, curves) = match root.one_or_several(&CURVE) {
+        Given::Absent => (Given::Absent, Given::Absent),
+        Given::Faulty => (Given::Faulty, Given::Faulty),
+        Given::Sound(tables) => {
+            let span = tables.span();
+            match tables.into_inner() {
+                Tables::One(table) => (Given::Sound(Spanned::new(span, table)), Given::Absent),
+                Tables::Several(tables) => (Given::Absent, Given::Sound(Spanned::new(span, tables))),
+            }
+        }
+    };
+    let parts = Parts {
+        boundary: root.inner(&BOUNDARY),
+        curves,
+        faces: root.several(&FACE),
+        vertices: root.several(&VERTEX),
+        methods: root.several(&METHOD),
+        search: root.inner_or_empty(&SEARCH),
+        expect: root.inner(&EXPECT),
+    };
+    if !has_one_subject(root, &parts) {
         return None;
     }
-    if let Some((subject, at)) = subjects.first().filter(|(subject, _)| *subject != "boundary") {
-        for (stray, key) in [("[[method]]", "method"), ("[search]", "search")] {
-            let Some(span) = root.place(&[key]) else { continue };
-            root.faults().conflict(
-                (span, "only beside [boundary]"),
-                (at.clone(), "the subject of this experiment"),
-                format!("{stray} does not belong to a [{subject}] experiment"),
-                format!("take {stray} out: [{subject}] says everything by itself"),
-            );
-        }
-    }
+    let expect = parts.expect;
     if let Given::Sound(table) = helicoid_table {
         let found = helicoid(table.get_ref(), expect);
         return found.map(|(it, wanted)| (Experiment::Helicoid(it), vec![wanted]));
@@ -104,66 +118,162 @@ fn experiment(root: &Table<'_>) -> Option<(Experiment, Vec<Wanted>)> {
     if let Given::Sound(table) = curve_table {
         return curve(table.get_ref(), expect).map(|(it, wanted)| (Experiment::Curve(it), vec![wanted]));
     }
-    if subjects.iter().any(|(subject, _)| *subject != "boundary") {
+    if helicoid_table.is_faulty() || trapezium_table.is_faulty() || curve_table.is_faulty() {
         return None;
     }
-    let found = patches(root, boundary_table, methods, search, expect);
-    found.map(|(it, wanted)| (Experiment::Patch(it), wanted))
+    filled(root, Parts { expect, ..parts })
 }
 
-fn patches(
-    root: &Table<'_>,
-    boundary_table: Given<Table<'_>>,
-    method_tables: Given<Vec<Table<'_>>>,
-    search_table: Option<Table<'_>>,
-    expect: Given<Table<'_>>,
-) -> Option<(PatchExperiment, Vec<Wanted>)> {
-    if let Given::Sound(table) = &expect {
+/// Whether there is not more than one subject, and nothing that does not belong to it.
+fn has_one_subject(root: &Table<'_>, parts: &Parts<'_>) -> bool {
+    let rim = root.place(&["boundary"]).map(|span| ("[boundary]", span));
+    let rim = rim.or(root.place(&["face"]).map(|span| ("[[face]]", span)));
+    let alone =
+        [("[helicoid]", "helicoid"), ("[trapezium-helicoid]", "trapezium-helicoid"), ("[curve]", "curve")];
+    let alone =
+        alone.into_iter().filter(|(_, key)| *key != "curve" || !matches!(parts.curves, Given::Sound(_)));
+    let alone = alone.filter_map(|(header, key)| Some((header, root.place(&[key])?)));
+    let has_rim = rim.is_some();
+    let subjects: Vec<_> = rim.into_iter().chain(alone).collect();
+    if let [(first, first_span), (second, second_span), ..] = subjects.as_slice() {
+        root.faults().conflict(
+            (second_span.clone(), "a second subject"),
+            (first_span.clone(), "the first subject"),
+            format!("one experiment holds both {first} and {second}"),
+            format!("put them into two files; {KINDS}"),
+        );
+        return false;
+    }
+    let Some((subject, at)) = subjects.first().filter(|_| !has_rim) else { return true };
+    for (stray, key) in [("[[method]]", "method"), ("[search]", "search"), ("[[vertex]]", "vertex")] {
+        let Some(span) = root.place(&[key]) else { continue };
+        root.faults().conflict(
+            (span, "only beside [boundary]"),
+            (at.clone(), "the subject of this experiment"),
+            format!("{stray} does not belong to a {subject} experiment"),
+            format!("take {stray} out: {subject} says everything by itself"),
+        );
+    }
+    true
+}
+
+/// A boundary with the methods that fill it.
+fn filled(root: &Table<'_>, parts: Parts<'_>) -> Option<(Experiment, Vec<Wanted>)> {
+    if let Given::Sound(table) = &parts.expect {
         root.faults().clash(
             (table.span(), "expected by which method?"),
             "[expect] stands beside methods",
             "write [method.expect] below the [[method]] it belongs to",
         );
     }
-    let search = search_table.and_then(|table| search(&table));
-    if boundary_table.is_absent() && method_tables.is_absent() {
-        nothing(root);
+    let search = parts.search.as_ref().and_then(search);
+    let methods = named_methods(root, &parts);
+    let has = |key: &str| root.place(&["boundary", key]).is_some();
+    let is_film = !parts.faces.is_absent() || has("polygon") || has("sides") || has("loops");
+    let mixed = parts.boundary.value().is_some_and(is_mixed);
+    if is_film {
+        let rim = rim(root, &parts, mixed);
+        let header = parts.boundary.span().or(parts.faces.span()).unwrap_or(root.span());
+        let (methods, wanted) = film::methods(methods?, &header)?.into_iter().unzip();
+        return Some((Experiment::Film(FilmExperiment { rim: rim?, methods }), wanted));
     }
-    if boundary_table.is_absent() && !method_tables.is_absent() {
-        let help = "the methods need a boundary: give u0, u1, v0, v1, or ab, bc, ca";
-        root.missing("[boundary]", help);
-    }
-    let header = boundary_table.span();
-    let sides = match &boundary_table {
-        Given::Sound(table) => boundary(table.get_ref()),
-        Given::Absent | Given::Faulty => Sides { kind: None, header: 0..0, boundary: None },
+    only_beside(root, "curve", "[[curve]] belongs to `loops` or [[face]] tables");
+    only_beside(root, "vertex", "[[vertex]] belongs to [[face]] tables");
+    let sides = match &parts.boundary {
+        Given::Sound(table) if !mixed => boundary(table.get_ref()),
+        Given::Sound(_) | Given::Absent | Given::Faulty => Sides { kind: None, header: 0..0, boundary: None },
     };
-    let example =
-        "add a table [[method]] with name = \"…\", basis = \"bernstein\" and energy = \"dirichlet\"";
-    let methods = match method_tables {
-        Given::Sound(tables) if tables.get_ref().is_empty() => {
-            root.faults().inadmissible(tables.span(), "the list of methods is empty", "no method", example);
-            None
-        }
-        Given::Sound(tables) => methods(tables.into_inner(), &sides),
-        Given::Faulty => None,
-        Given::Absent => {
-            if let Some(header) = header {
-                let message = "the experiment lacks `[[method]]`";
-                let label = "`[[method]]` is needed here";
-                root.faults().report(Diagnostic::at(Fault::Missing, header, message, label).help(example));
-            }
-            None
-        }
-    };
+    let methods = methods.and_then(|named| net_methods(named, &sides));
     let (boundary, search) = (sides.boundary?, search?);
     let (methods, wanted) = methods?.into_iter().unzip();
-    Some((PatchExperiment { boundary, methods, search }, wanted))
+    Some((Experiment::Patch(PatchExperiment { boundary, methods, search }), wanted))
 }
 
-fn nothing(root: &Table<'_>) {
-    let label = "the experiment has no subject";
-    root.faults().report(
-        Diagnostic::at(Fault::Missing, root.span(), "there is nothing to compute", label).help(KINDS),
-    );
+/// The methods by their names; none if there is none, which is reported, as is what else is missing.
+fn named_methods<'t>(root: &Table<'t>, parts: &Parts<'t>) -> Option<Vec<Named<'t>>> {
+    let example =
+        "add a table [[method]] with name = \"…\", basis = \"bernstein\" and energy = \"dirichlet\"";
+    let has_boundary = !(parts.boundary.is_absent() && parts.faces.is_absent());
+    match &parts.methods {
+        Given::Absent if !has_boundary => {
+            let label = "the experiment has no subject";
+            root.faults().report(
+                Diagnostic::at(Fault::Missing, root.span(), "there is nothing to compute", label).help(KINDS),
+            );
+        }
+        Given::Absent => {
+            let header = parts.boundary.span().or(parts.faces.span()).unwrap_or(root.span());
+            let (message, label) = ("the experiment lacks `[[method]]`", "`[[method]]` is needed here");
+            root.faults().report(Diagnostic::at(Fault::Missing, header, message, label).help(example));
+        }
+        Given::Faulty => {}
+        Given::Sound(tables) if tables.get_ref().is_empty() => {
+            root.faults().inadmissible(tables.span(), "the list of methods is empty", "no method", example);
+        }
+        Given::Sound(_) => {
+            if !has_boundary {
+                let help = "the methods need a boundary: give u0, u1, v0, v1, or ab, bc, ca, a polygon, sides or loops, or \
+                            [[face]] tables";
+                root.missing("[boundary]", help);
+            }
+        }
+    }
+    Some(named(parts.methods.value()?.iter())).filter(|methods| !methods.is_empty())
+}
+
+/// Loops or faces.
+fn rim(root: &Table<'_>, parts: &Parts<'_>, is_mixed: bool) -> Option<Rim> {
+    let of_curves = || match &parts.curves {
+        Given::Absent => Some(Vec::new()),
+        Given::Faulty => None,
+        Given::Sound(tables) => curves(tables.get_ref()),
+    };
+    if let Some(face) = root.place(&["face"]) {
+        let holds = parts.boundary.value().and_then(|table| table.present().next());
+        if let Some((key, span)) = holds {
+            root.faults().conflict(
+                (face, "a surface of faces"),
+                (span, "another boundary"),
+                format!("one experiment holds [[face]] tables and `{}` in [boundary]", key.name),
+                "keep one of the two: faces lie between [[curve]]s and need no [boundary]",
+            );
+            return None;
+        }
+        let (Given::Sound(face_tables), Some(vertex_tables)) = (&parts.faces, several(&parts.vertices))
+        else {
+            return None;
+        };
+        return faces(root.faults(), face_tables, vertex_tables, &of_curves()?).map(Rim::Faces);
+    }
+    only_beside(root, "vertex", "[[vertex]] belongs to [[face]] tables");
+    let table = parts.boundary.value().filter(|_| !is_mixed)?;
+    match table.take(&LOOPS) {
+        Given::Absent => {}
+        Given::Faulty => return None,
+        Given::Sound(lists) => return loops(table, lists.get_ref(), &of_curves()?).map(Rim::Loops),
+    }
+    only_beside(root, "curve", "[[curve]] belongs to `loops` or [[face]] tables");
+    let around = match (table.take(&POLYGON), table.take(&SIDES)) {
+        (Given::Sound(corners), _) => polygon(table, &corners),
+        (_, Given::Sound(lists)) => sides(table, &lists),
+        (Given::Absent | Given::Faulty, Given::Absent | Given::Faulty) => None,
+    };
+    around.map(|around| Rim::Loops(vec![around]))
+}
+
+/// The tables, if they are known; none where there are none.
+fn several<'p, 't>(given: &'p Given<Vec<Table<'t>>>) -> Option<&'p [Table<'t>]> {
+    match given {
+        Given::Absent => Some(&[]),
+        Given::Faulty => None,
+        Given::Sound(tables) => Some(tables.get_ref()),
+    }
+}
+
+/// Reports a table that has nothing to belong to.
+fn only_beside(root: &Table<'_>, key: &str, message: &str) {
+    if let Some(span) = root.place(&[key]) {
+        let help = "write `loops` in [boundary], or [[face]] tables, or take it out";
+        root.faults().clash((span, "nothing here names it"), message, help);
+    }
 }

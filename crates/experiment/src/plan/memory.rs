@@ -26,6 +26,7 @@ pub(super) fn fits(root: &Table<'_>, experiment: &Experiment, mesh: usize) {
             meshes_fit(root, experiment.methods.len(), mesh);
             histories_fit(root, experiment);
         }
+        Experiment::Film(film) => meshes_fit(root, film.methods.len(), mesh),
         Experiment::TrapeziumHelicoid(_) | Experiment::Curve(_) => {}
     }
 }

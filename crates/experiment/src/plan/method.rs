@@ -10,42 +10,77 @@ use serde_spanned::Spanned;
 
 use super::Wanted;
 use super::boundary::{Kind, Sides};
-use super::expected::check::{Subject, expectations, published};
+use super::expected::check::{Subject, wanted_of};
 use crate::diagnostic::shorten;
 use crate::keys::method::{
-    BASIS, CONSTRUCTION, DOMAIN, ENERGY, EXPECT, MASK, METRIC_STEPS, NAME, PATCH, PUBLISHED, RAISE, SEARCH,
-    SEARCH_ENERGY, SHAPE, SOLVER, TOLERANCE,
+    BASIS, CONSTRUCTION, DOMAIN, ENERGY, MASK, METRIC_STEPS, NAME, PATCH, RAISE, SEARCH, SEARCH_ENERGY,
+    SHAPE, SOLVER, TENSOR, TOLERANCE, TRIANGLE,
 };
-use crate::text::{Given, Table, Tables};
+use crate::text::{Given, Table};
 
-/// Checks every `[[method]]` against what is known of the boundary.
-pub(super) fn methods(tables: Vec<Table<'_>>, sides: &Sides) -> Option<Vec<(Method, Wanted)>> {
-    let count = tables.len();
+/// A method with its name, if that is sound; names are unique.
+pub(super) type Named<'t> = (Option<String>, Table<'t>);
+
+/// The methods by their names.
+pub(super) fn named<'p, 't: 'p>(tables: impl Iterator<Item = &'p Table<'t>>) -> Vec<Named<'t>> {
     let mut first_use: HashMap<String, Range<usize>> = HashMap::new();
     let mut methods = Vec::new();
-    for (k, table) in tables.into_iter().enumerate() {
-        let table = table.called(format!("method {}", k + 1));
-        let name = table.require(&NAME);
-        if let Some(name) = &name {
-            match first_use.get(name.get_ref()) {
-                Some(first) => table.faults().conflict(
-                    (name.span(), "the same name again"),
-                    (first.clone(), "first used here"),
-                    format!("two methods are called \"{}\"", shorten(name.get_ref())),
-                    "give each method its own name: it labels its row of the table",
-                ),
-                None => {
-                    first_use.insert(name.get_ref().clone(), name.span());
-                }
+    for (k, table) in tables.enumerate() {
+        let table = table.clone().called(format!("method {}", k + 1));
+        let Some(name) = table.require(&NAME) else {
+            methods.push((None, table));
+            continue;
+        };
+        match first_use.get(name.get_ref()) {
+            Some(first) => table.faults().conflict(
+                (name.span(), "the same name again"),
+                (first.clone(), "first used here"),
+                format!("two methods are called \"{}\"", shorten(name.get_ref())),
+                "give each method its own name: it labels its row of the table",
+            ),
+            None => {
+                first_use.insert(name.get_ref().clone(), name.span());
             }
         }
-        let table = match &name {
-            Some(name) => table.called(format!("method \"{}\"", shorten(name.get_ref()))),
-            None => table,
-        };
-        methods.extend(Draft::new(table, sides).finish(name.map(Spanned::into_inner)));
+        let called = format!("method \"{}\"", shorten(name.get_ref()));
+        methods.push((Some(name.into_inner()), table.called(called)));
     }
-    (methods.len() == count).then_some(methods)
+    methods
+}
+
+/// Checks every method over a net against what is known of the boundary.
+pub(super) fn methods(named: Vec<Named<'_>>, sides: &Sides) -> Option<Vec<(Method, Wanted)>> {
+    let over = sides.kind.map(|kind| match kind {
+        Kind::Tensor | Kind::TwoSides => (TENSOR, "a tensor boundary"),
+        Kind::Triangle => (TRIANGLE, "a triangular boundary"),
+    });
+    let checked: Vec<Option<(Method, Wanted)>> = named
+        .into_iter()
+        .map(|(name, table)| {
+            let fits = over.is_none_or(|over| has_only_keys_over(&table, over, &sides.header));
+            Draft::new(table, sides).finish(name).filter(|_| fits)
+        })
+        .collect();
+    checked.into_iter().collect()
+}
+
+/// Whether a method has no key that is for other boundaries.
+pub(super) fn has_only_keys_over(
+    table: &Table<'_>,
+    (over, called): (&str, &str),
+    header: &Range<usize>,
+) -> bool {
+    let mut all = true;
+    for (key, span) in table.present().filter(|(key, _)| !key.over.is_empty() && !key.over.contains(&over)) {
+        all = false;
+        table.faults().conflict(
+            (span, &format!("not for {called}")),
+            (header.clone(), called),
+            format!("{} has a `{}`, which is not for {called}", table.name(), key.name),
+            format!("leave out `{}`: it is for boundaries of the kind {}", key.name, key.over.join(" or ")),
+        );
+    }
+    all
 }
 
 /// One method under check: its keys, read.
@@ -65,8 +100,6 @@ pub(super) struct Draft<'t> {
     pub(super) search_energy: Given<Energy>,
     solver: Given<SolverChoice>,
     tolerance: Given<f64>,
-    expect: Given<Table<'t>>,
-    published: Given<Tables<'t>>,
 }
 
 impl<'t> Draft<'t> {
@@ -86,8 +119,6 @@ impl<'t> Draft<'t> {
             search_energy: table.take(&SEARCH_ENERGY),
             solver: table.take(&SOLVER),
             tolerance: table.take(&TOLERANCE),
-            expect: table.inner(&EXPECT),
-            published: table.one_or_several(&PUBLISHED),
             table,
         }
     }
@@ -122,24 +153,11 @@ impl<'t> Draft<'t> {
         })();
         let fits = fits && method.as_ref().is_none_or(|method| self.fits_method(method));
         let subject = patch.zip(shape).map(|(patch, shape)| Subject::Patch { patch, shape });
-        let called = self.table.name().to_owned();
-        let of_this = |table: Table<'t>| {
-            let called = format!("{} of {called}", table.name());
-            table.called(called)
-        };
-        let expect = expectations(self.expect.map(of_this), subject);
-        let published = match self.published {
-            Given::Absent => Some(Vec::new()),
-            Given::Faulty => None,
-            Given::Sound(tables) => match tables.into_inner() {
-                Tables::One(table) => published([of_this(table)]),
-                Tables::Several(tables) => published(tables.into_iter().map(of_this)),
-            },
-        };
+        let wanted = wanted_of(&self.table, subject);
         if !fits {
             return None;
         }
-        Some((method?, Wanted { expect: expect?, published: published? }))
+        Some((method?, wanted?))
     }
 
     /// What the file says of the kind of patch.
@@ -153,15 +171,7 @@ impl<'t> Draft<'t> {
             Given::Absent if triangle => Some(Patch::Triangle),
             Given::Absent => Some(Patch::Tensor),
             Given::Faulty => None,
-            Given::Sound(patch) if triangle => {
-                self.table.faults().conflict(
-                    (patch.span(), "for tensor boundaries"),
-                    (self.sides.header.clone(), "a triangular boundary"),
-                    format!("{} has a `patch`, but the boundary is a triangle", self.table.name()),
-                    "leave out `patch`: the sides ab, bc, ca already make the patch triangular",
-                );
-                None
-            }
+            Given::Sound(_) if triangle => None,
             Given::Sound(patch) => Some(*patch.get_ref()),
         }
     }
@@ -225,30 +235,11 @@ impl<'t> Draft<'t> {
             Interior::Extremal { energy, .. } => *energy != Energy::Area,
             Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => false,
         };
-        let is_other = |kind: Kind| match kind {
-            Kind::Triangle => false,
-            Kind::Tensor | Kind::TwoSides => true,
-        };
-        let what = if self.sides.kind.is_some_and(is_other) {
-            Some((
-                "for triangles",
-                "its boundary is no triangle",
-                "leave it out: tensor nets are taken over the unit square",
-            ))
-        } else if interior.is_some_and(|interior| !is_quadratic(interior)) {
-            Some((
-                "for extremals of quadratic energies",
-                "its interior is no extremal of a quadratic energy",
-                "leave it out: neither an area nor a mask nor a construction is taken over a triangle of the plane",
-            ))
-        } else {
-            None
-        };
-        if let (Some(span), Some((label, why, help))) = (self.domain.span(), what) {
+        if let (Some(span), Some(false)) = (self.domain.span(), interior.map(is_quadratic)) {
             self.table.faults().clash(
-                (span, label),
-                format!("{} has `domain`, but {why}", self.table.name()),
-                help,
+                (span, "for extremals of quadratic energies"),
+                format!("{} has `domain`, but its interior is no extremal of a quadratic energy", self.table.name()),
+                "leave it out: neither an area nor a mask nor a construction is taken over a triangle of the plane",
             );
             return None;
         }

@@ -40,6 +40,19 @@ impl Interval {
         x.is_finite() && above && below
     }
 
+    /// The interval in words, for the book.
+    pub(super) fn words(&self) -> String {
+        let (lower, upper) = (shown(self.lower), shown(self.upper));
+        let without = |excluded: bool| if excluded { ", excluded" } else { "" };
+        let (least, most) = (without(self.without_lower), without(self.without_upper));
+        match (self.lower.is_finite(), self.upper.is_finite()) {
+            (false, false) => "any number".to_owned(),
+            (true, false) => format!("from {lower}{least}"),
+            (false, true) => format!("up to {upper}{most}"),
+            (true, true) => format!("{lower}{least} to {upper}{most}"),
+        }
+    }
+
     /// `minimum`, `maximum` and their exclusive forms.
     pub(super) fn bounds(&self) -> Map<String, Json> {
         let mut bounds = Map::new();

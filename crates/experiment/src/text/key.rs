@@ -18,7 +18,7 @@ pub(crate) struct Key<K> {
 impl<K: Copy> Key<K> {
     /// A key that may be left out.
     pub(crate) const fn new(name: &'static str, kind: K, doc: &'static str) -> Self {
-        let head = Head { name, doc, default: None, hint: "", required: false, example: None };
+        let head = Head { name, doc, default: None, hint: "", required: false, over: &[], example: None };
         Self { head, kind }
     }
 
@@ -45,6 +45,11 @@ impl<K: Copy> Key<K> {
     /// Its table is nothing without it.
     pub(crate) const fn required(self) -> Self {
         Self { head: Head { required: true, ..self.head }, ..self }
+    }
+
+    /// Only methods over these kinds of boundary may have it.
+    pub(crate) const fn over(self, boundaries: &'static [&'static str]) -> Self {
+        Self { head: Head { over: boundaries, ..self.head }, ..self }
     }
 }
 
@@ -135,7 +140,7 @@ impl Section {
 }
 
 /// A noun phrase as a sentence.
-pub(super) fn sentence(phrase: &str) -> String {
+pub(crate) fn sentence(phrase: &str) -> String {
     let mut letters = phrase.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     first.chain(letters).chain(['.']).collect()

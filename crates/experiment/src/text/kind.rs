@@ -32,6 +32,13 @@ impl Form for Text {
         "a text in quotes".to_owned()
     }
 
+    fn admits(&self) -> String {
+        match self {
+            Self::Named => "a text, not blank".to_owned(),
+            Self::Free => "a text".to_owned(),
+        }
+    }
+
     fn schema(&self) -> Map<String, Json> {
         match self {
             Self::Named => keywords([("type", json!("string")), ("minLength", json!(1))]),
@@ -68,6 +75,10 @@ impl Form for Flag {
         "true or false".to_owned()
     }
 
+    fn admits(&self) -> String {
+        "`true`, `false`".to_owned()
+    }
+
     fn schema(&self) -> Map<String, Json> {
         keywords([("type", json!("boolean"))])
     }
@@ -88,6 +99,10 @@ impl Kind for Flag {
 impl Form for Interval {
     fn expected(&self) -> String {
         "a number".to_owned()
+    }
+
+    fn admits(&self) -> String {
+        self.words()
     }
 
     fn schema(&self) -> Map<String, Json> {

@@ -21,6 +21,8 @@ pub(crate) struct Points {
     most: usize,
     largest: f64,
     planar: bool,
+    /// What they are, where their number is no matter of a degree.
+    noun: Option<&'static str>,
 }
 
 /// Points with their places. Planar ones carry z = 0.
@@ -36,7 +38,7 @@ pub(crate) struct PointList {
 impl Points {
     /// Points of space.
     pub(crate) const fn between(least: usize, most: usize, largest: f64) -> Self {
-        Self { least, most, largest, planar: false }
+        Self { least, most, largest, planar: false, noun: None }
     }
 
     /// Points of the plane are admitted, too, if all of them are.
@@ -44,14 +46,19 @@ impl Points {
         Self { planar: true, ..self }
     }
 
+    /// They are called so, and their number has nothing to do with a degree.
+    pub(crate) const fn counting(self, noun: &'static str) -> Self {
+        Self { noun: Some(noun), ..self }
+    }
+
     /// Whether there are as many points as the kind asks for; the degree is one less than their number.
-    pub(crate) fn has_length(&self, place: &Place<'_>, value: &Value<'_>, count: usize) -> bool {
+    fn has_length(&self, place: &Place<'_>, value: &Value<'_>, count: usize) -> bool {
         let (least, most) = (self.least, self.most);
         if (least..=most).contains(&count) {
             return true;
         }
-        let help = if least == most {
-            format!("give exactly {least} points")
+        let help = if let Some(noun) = self.noun {
+            format!("give {least} to {most} {noun}")
         } else if count < least {
             format!("give at least {least} points: n + 1 points make degree n")
         } else {
@@ -134,6 +141,12 @@ impl Points {
 impl Form for Points {
     fn expected(&self) -> String {
         "a list of points, like [[0, 0, 0], [2, 0, 2]]".to_owned()
+    }
+
+    fn admits(&self) -> String {
+        let noun = self.noun.unwrap_or("points");
+        let plane = if self.planar { ", of the plane or of space" } else { "" };
+        format!("{} to {} {noun}{plane}", self.least, self.most)
     }
 
     fn schema(&self) -> Map<String, Json> {

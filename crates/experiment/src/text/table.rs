@@ -17,6 +17,7 @@ use super::value::Value;
 use crate::diagnostic::{Diagnostic, Fault, nearest, shorten};
 
 /// A table of the document that is being read. Each of its keys is taken once.
+#[derive(Clone)]
 pub(crate) struct Table<'t> {
     faults: &'t Faults<'t>,
     section: &'static Section,
@@ -121,6 +122,11 @@ impl<'t> Table<'t> {
     /// Whether some key of it is unknown.
     pub(crate) fn has_strays(&self) -> bool {
         self.has_strays
+    }
+
+    /// The keys that it has, with their places.
+    pub(crate) fn present(&self) -> impl Iterator<Item = (&'static Head, Range<usize>)> {
+        self.section.keys.iter().filter_map(|key| Some((key.head(), self.place(&[key.head().name])?)))
     }
 
     /// The place of a value inside, if there is one, whether it is sound or not.
@@ -344,6 +350,10 @@ impl Form for Inner {
         "a table of keys".to_owned()
     }
 
+    fn admits(&self) -> String {
+        "a table".to_owned()
+    }
+
     fn schema(&self) -> Map<String, Json> {
         self.0.schema()
     }
@@ -369,6 +379,10 @@ impl Form for Several {
         "a list of tables".to_owned()
     }
 
+    fn admits(&self) -> String {
+        "tables".to_owned()
+    }
+
     fn schema(&self) -> Map<String, Json> {
         tables(self.0)
     }
@@ -388,6 +402,10 @@ pub(crate) struct OneOrSeveral {
 impl Form for OneOrSeveral {
     fn expected(&self) -> String {
         "a table, or a list of tables".to_owned()
+    }
+
+    fn admits(&self) -> String {
+        "a table, or tables".to_owned()
     }
 
     fn schema(&self) -> Map<String, Json> {

@@ -3,6 +3,7 @@
 use surfaces::{BoundaryCurve, Complex, extent};
 
 use super::{Film, Tried, degree, pinch};
+use crate::surface::per_face;
 use crate::trust::of_film;
 use crate::{
     AreaEnd, AreaExtremal, CurveGraph, CutBoundary, Cutting, CuttingError, Figures, Loop, MethodError,
@@ -37,7 +38,16 @@ pub struct Fill {
     rim_tolerance: Option<f64>,
     corner_angle: f64,
     way: Option<Way>,
-    mesh: usize,
+    mesh: Meshing,
+}
+
+/// How fine the mesh of a film is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Meshing {
+    /// Subdivisions of every side of a patch.
+    PerPatch(usize),
+    /// Those of a single patch with as many vertices in all.
+    InAll(usize),
 }
 
 impl Default for Fill {
@@ -51,7 +61,7 @@ impl Default for Fill {
             rim_tolerance: None,
             corner_angle: Cutting::CORNER_ANGLE,
             way: None,
-            mesh: 16,
+            mesh: Meshing::PerPatch(16),
         }
     }
 }
@@ -108,7 +118,14 @@ impl Fill {
     /// The mesh of the film has this many subdivisions of every side of a patch.
     #[must_use]
     pub fn with_mesh(mut self, subdivisions: usize) -> Self {
-        self.mesh = subdivisions;
+        self.mesh = Meshing::PerPatch(subdivisions);
+        self
+    }
+
+    /// The mesh of the film has about as many vertices as that of a single patch of this many subdivisions.
+    #[must_use]
+    pub fn with_mesh_in_all(mut self, subdivisions: usize) -> Self {
+        self.mesh = Meshing::InAll(subdivisions);
         self
     }
 
@@ -186,7 +203,10 @@ impl Fill {
         one_by_one: Option<f64>,
     ) -> Result<Film, MethodError> {
         let Solution { cut, complex, extremal, seams, .. } = solution;
-        let mesh = complex.mesh(self.mesh)?;
+        let mesh = complex.mesh(match self.mesh {
+            Meshing::PerPatch(subdivisions) => subdivisions,
+            Meshing::InAll(subdivisions) => per_face(&complex, subdivisions),
+        })?;
         let patches =
             (0..complex.faces().len()).map(|face| complex.patch(face)).collect::<Result<Vec<_>, _>>()?;
         let patches: Vec<&dyn surfaces::Patch> = patches.iter().map(|patch| patch as _).collect();

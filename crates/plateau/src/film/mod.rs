@@ -9,7 +9,7 @@ use surfaces::{Complex, ComplexMesh, Deviation, Point};
 
 pub use fill::{Fill, FillEnergy, fill};
 
-use crate::{AreaExtremal, Figures, Seams, Warning, Way};
+use crate::{AreaExtremal, Done, Energy, Family, Figures, FilmFigures, Seams, Solved, Surface, Warning, Way};
 
 /// A surface of quadrilateral patches over loops or a graph of curves, with its figures.
 #[derive(Debug, Clone)]
@@ -63,7 +63,51 @@ pub struct FilmFace<'a> {
     pub net: Vec<Vec<Point>>,
 }
 
+/// Share of the size below which ends that differ are not spoken of.
+const ROUNDING: f64 = 1e-14;
+
 impl Film {
+    /// The film as the outcome of a method that minimised `energy`.
+    #[must_use]
+    pub fn into_done(self, energy: FillEnergy) -> Done {
+        let Self {
+            complex,
+            names,
+            way,
+            rim,
+            welded,
+            extremal,
+            figures,
+            seams,
+            one_by_one,
+            mesh,
+            warnings,
+            ..
+        } = self;
+        let size = complex.size();
+        let mut all: Vec<Warning> = Vec::new();
+        // What is no more than the rounding of points on arcs and splines nobody wrote.
+        if welded > ROUNDING * size {
+            all.push(Warning::Welded { distance: welded, share: welded / size });
+        }
+        all.extend(warnings);
+        let minimised = match energy {
+            FillEnergy::Area => Energy::Area,
+            FillEnergy::Dirichlet => Energy::Dirichlet,
+        };
+        let solved = Solved {
+            surface: Surface::Complex(complex),
+            family: Family::Complex,
+            minimised: Some(minimised),
+            shape: None,
+            solve: None,
+            area: extremal,
+            search: None,
+        };
+        let film = Some(FilmFigures { names, way, rim, seams, one_by_one });
+        Done { solved, mesh: mesh.mesh, figures, boundary: None, closed_form: None, film, warnings: all }
+    }
+
     /// The patches with the names of their corners.
     pub fn faces(&self) -> impl Iterator<Item = FilmFace<'_>> {
         let count = self.complex.degree() + 1;

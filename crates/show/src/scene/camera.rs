@@ -60,7 +60,7 @@ mod tests {
 
     fn direction(corners: [[f64; 3]; 3]) -> Direction {
         let net = TriangleNet::new(1, corners.map(Point::from).into()).unwrap();
-        let sample = Sample::of(&Surface::Triangle(TrianglePatch::new(net).unwrap()), 400);
+        let sample = Sample::of(&Surface::Triangle(TrianglePatch::new(net).unwrap()), 400).unwrap();
         Direction::showing(std::iter::once(&sample))
     }
 

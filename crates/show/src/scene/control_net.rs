@@ -30,6 +30,8 @@ impl ControlNet {
                     pieces.patches().iter().for_each(|patch| net.add(patch.net()));
                 }
             }
+            // Its patches hide one another's nets.
+            Surface::Complex(_) => {}
             Surface::Triangle(patch) => {
                 let triangle = patch.net();
                 let n = triangle.degree();

@@ -92,11 +92,11 @@ impl<'a> Scene<'a> {
         let budget = VERTICES / chosen.len().max(1);
         let surfaces: Vec<Shown<'_>> = chosen
             .iter()
-            .map(|&k| {
+            .filter_map(|&k| {
                 let (name, done) = done[k];
                 let surface = &done.solved.surface;
-                let sample = Sample::of(surface, budget);
-                Shown { name, done, sample, net: ControlNet::of(surface) }
+                let sample = Sample::of(surface, budget)?;
+                Some(Shown { name, done, sample, net: ControlNet::of(surface) })
             })
             .filter(|shown| shown.sample.points.iter().all(|p| p.is_finite()))
             .collect();

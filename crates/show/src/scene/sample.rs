@@ -38,14 +38,15 @@ pub(crate) struct Sample {
 }
 
 impl Sample {
-    /// Samples a surface at about `budget` vertices, at most 49² of a single patch.
-    pub(super) fn of(surface: &Surface, budget: usize) -> Self {
-        let patch = surface.patch();
+    /// Samples a surface at about `budget` vertices, at most 49² of a single patch; none of a complex, which has no one domain.
+    pub(super) fn of(surface: &Surface, budget: usize) -> Option<Self> {
+        let patch = surface.patch()?;
         let domain = patch.domain();
         let steps = match surface {
             Surface::Pieces(pieces) => steps(pieces.shape(), budget),
             Surface::Tensor(_) => steps([1, 1], budget),
             Surface::Triangle(_) => steps([1, 1], (2 * budget).min(TRIANGLE)),
+            Surface::Complex(_) => return None,
         };
         let jets: Vec<Jet> = match domain {
             Domain::Rectangle { u, v } => patch.jets(&even(u, steps[0]), &even(v, steps[1])),
@@ -56,7 +57,7 @@ impl Sample {
             }
         };
         let fields = Field::ALL.map(|field| jets.iter().map(|jet| field.of(jet)).collect());
-        Self { domain, steps, points: jets.iter().map(|jet| jet.point).collect(), fields }
+        Some(Self { domain, steps, points: jets.iter().map(|jet| jet.point).collect(), fields })
     }
 
     /// The values of a field at the points; none where it does not exist.
@@ -175,7 +176,7 @@ mod tests {
     fn triangle() -> Sample {
         let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]].map(Point::from);
         let net = TriangleNet::new(1, corners.into()).unwrap();
-        Sample::of(&Surface::Triangle(TrianglePatch::new(net).unwrap()), 400)
+        Sample::of(&Surface::Triangle(TrianglePatch::new(net).unwrap()), 400).unwrap()
     }
 
     #[test]

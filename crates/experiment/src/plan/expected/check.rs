@@ -6,12 +6,14 @@ use serde_spanned::Spanned;
 use super::{Expected, Published, Wanted};
 use crate::diagnostic::position;
 use crate::keys::expect::{self, Expectation, HEADING, PRINTED, QUANTITY, REASON, SOURCE};
-use crate::text::{Faults, Given, Table, counted, half_unit_of_last_digit};
+use crate::keys::method::{EXPECT, PUBLISHED};
+use crate::text::{Faults, Given, Table, Tables, counted, half_unit_of_last_digit};
 
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Subject {
     Patch { patch: Patch, shape: Shape },
+    Film,
     Helicoid,
     Curve { samples: usize },
 }
@@ -31,6 +33,17 @@ impl Subject {
                 Q::Shape(_) | Q::SearchMinimum | Q::BoundaryDeviation | Q::HarmonicBound | Q::Residual,
             ) => Some(
                 "a helicoid has neither boundary curves nor shape parameters to compare, only `deviation`: take the key out",
+            ),
+            (
+                Self::Film,
+                Q::Residual
+                | Q::BoundaryDeviation
+                | Q::HarmonicBound
+                | Q::Deviation
+                | Q::Shape(_)
+                | Q::SearchMinimum,
+            ) => Some(
+                "surfaces over loops and faces have energies, area and curvatures only: take the key out",
             ),
             (Self::Patch { .. }, Q::Deviation) => {
                 Some("`deviation` is for helicoids: write `boundary-deviation`, or take the key out")
@@ -61,6 +74,26 @@ impl Subject {
 /// Checks the top-level `expect` table.
 pub(crate) fn wanted(given: Given<Table<'_>>, subject: Option<Subject>) -> Option<Wanted> {
     expectations(given, subject).map(|expect| Wanted { expect, published: Vec::new() })
+}
+
+/// Checks what a method wants of its figures.
+pub(in crate::plan) fn wanted_of(method: &Table<'_>, subject: Option<Subject>) -> Option<Wanted> {
+    let expect = expectations(method.inner(&EXPECT).map(|table| of(method, table)), subject);
+    let published = match method.one_or_several(&PUBLISHED) {
+        Given::Absent => Some(Vec::new()),
+        Given::Faulty => None,
+        Given::Sound(tables) => match tables.into_inner() {
+            Tables::One(table) => published([of(method, table)]),
+            Tables::Several(tables) => published(tables.into_iter().map(|table| of(method, table))),
+        },
+    };
+    Some(Wanted { expect: expect?, published: published? })
+}
+
+/// A table inside, called after its method.
+fn of<'t>(method: &Table<'_>, inner: Table<'t>) -> Table<'t> {
+    let called = format!("{} of {}", inner.name(), method.name());
+    inner.called(called)
 }
 
 /// Checks an `expect` table, if there is one.

@@ -1,0 +1,119 @@
+//! `[[method]]` over loops and faces.
+
+use std::ops::Range;
+
+use plateau::{CurveGraph, Energy, FillEnergy, Loop};
+
+use super::Wanted;
+use super::expected::check::{Subject, wanted_of};
+use super::method::{Named, has_only_keys_over};
+use crate::keys::method::{DEGREE, ENERGY, LAYERS, LOOPS, TOLERANCE};
+use crate::text::{Given, Table};
+
+/// Surfaces over loops or faces: one row of the table per method.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmExperiment {
+    /// What they span.
+    pub rim: Rim,
+    /// At least one; names are unique.
+    pub methods: Vec<FilmMethod>,
+}
+
+/// What a surface of several patches spans.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rim {
+    /// One loop, spanned by a disc, or two, spanned by an annulus.
+    Loops(Vec<Loop>),
+    /// The faces of a graph of curves.
+    Faces(CurveGraph),
+}
+
+/// One way to fill loops or faces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmMethod {
+    /// Name of the row; not empty, unique in the experiment.
+    pub name: String,
+    /// What is minimised.
+    pub energy: FillEnergy,
+    /// The degree of every patch, if the file gives one.
+    pub degree: Option<usize>,
+    /// For [`FillEnergy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
+    pub tolerance: f64,
+}
+
+/// Checks every method over loops or faces, whose heading is at `header`.
+pub(super) fn methods(named: Vec<Named<'_>>, header: &Range<usize>) -> Option<Vec<(FilmMethod, Wanted)>> {
+    let checked: Vec<Option<(FilmMethod, Wanted)>> = named
+        .into_iter()
+        .map(|(name, table)| {
+            let fits = has_only_keys_over(&table, (LOOPS, "a boundary of loops or faces"), header);
+            method(&table, name).filter(|_| fits)
+        })
+        .collect();
+    checked.into_iter().collect()
+}
+
+fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted)> {
+    let degree = table.take(&DEGREE).known();
+    let layers = table.take_or_default(&LAYERS).filter(|layers| *layers == 0 || are_no_layers(table));
+    let tolerance_given = table.take(&TOLERANCE);
+    let energy = energy(table, &table.take(&ENERGY));
+    let tolerance = table.or_default(&TOLERANCE, &tolerance_given);
+    let fits = match (tolerance_given.span(), energy) {
+        (Some(span), Some(FillEnergy::Dirichlet)) => {
+            table.faults().clash(
+                (span, "needs energy = \"area\""),
+                format!("{} has a `tolerance`, but does not minimise the area", table.name()),
+                "leave it out, or write energy = \"area\"",
+            );
+            false
+        }
+        (Some(_) | None, _) => true,
+    };
+    let wanted = wanted_of(table, Some(Subject::Film));
+    layers?;
+    let method = FilmMethod {
+        name: name?,
+        energy: energy?,
+        degree: degree?.map(|degree| degree.into_inner()),
+        tolerance: tolerance?,
+    };
+    fits.then_some((method, wanted?))
+}
+
+/// Reports layers, which are not made yet.
+fn are_no_layers(table: &Table<'_>) -> bool {
+    table.faults().inadmissible(
+        table.place(&["layers"]).unwrap_or(table.span()),
+        format!("{} asks for graded layers, which this version does not make", table.name()),
+        "only 0",
+        "leave `layers` out: a higher `degree` makes corners more exact, too",
+    );
+    false
+}
+
+fn energy(table: &Table<'_>, given: &Given<Energy>) -> Option<FillEnergy> {
+    const HELP: &str = "write energy = \"area\" for the least area, or energy = \"dirichlet\"";
+    match given {
+        Given::Absent => {
+            table.missing("energy", HELP);
+            None
+        }
+        Given::Faulty => None,
+        Given::Sound(energy) => match energy.get_ref() {
+            Energy::Area => Some(FillEnergy::Area),
+            Energy::Dirichlet => Some(FillEnergy::Dirichlet),
+            Energy::Laplacian | Energy::Bending | Energy::Coons => {
+                table.faults().clash(
+                    (energy.span(), "not over loops and faces"),
+                    format!(
+                        "{} minimises an energy of single patches over a boundary of several",
+                        table.name()
+                    ),
+                    HELP,
+                );
+                None
+            }
+        },
+    }
+}
