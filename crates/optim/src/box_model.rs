@@ -67,7 +67,9 @@ impl BoxModel {
                     self.state[i] = side;
                     self.step[i] = match side {
                         State::Lower => lower[i] - point[i],
-                        _ => upper[i] - point[i],
+                        State::Upper => upper[i] - point[i],
+                        // What blocks is a bound.
+                        State::Free => self.step[i],
                     };
                 }
                 None => {

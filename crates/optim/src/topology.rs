@@ -27,7 +27,7 @@ impl Informants {
     pub(crate) fn new(topology: Topology, particles: usize) -> Self {
         let topology = match topology {
             Topology::Ring { neighbours } if neighbours < particles / 2 => topology,
-            _ => Topology::Global,
+            Topology::Ring { .. } | Topology::Global => Topology::Global,
         };
         let windows = match topology {
             Topology::Global => Default::default(),

@@ -172,10 +172,8 @@ impl CurveResult {
 
     /// One figure of the result; curves have nothing but curvatures.
     pub fn figure(&self, quantity: Quantity) -> Option<f64> {
-        match quantity {
-            Quantity::Curvature(k) => self.curvature.get(k).copied().flatten(),
-            _ => None,
-        }
+        let Quantity::Curvature(k) = quantity else { return None };
+        self.curvature.get(k).copied().flatten()
     }
 
     /// The coordinates the curve has.

@@ -1,6 +1,6 @@
 //! The folder of a finished experiment.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -68,98 +68,150 @@ pub fn deliver_watched(
 ) -> Result<Delivered, DeliverError> {
     let folder = folder(plan, out);
     let before = files_of(plan, &folder);
-    let (mut notes, mut refusals) = (Vec::new(), Vec::new());
-    let write = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
-        let path = folder.join(name);
-        atomic::write(&path, fill).map_err(|source| DeliverError { path, source })
-    };
-    let names = file_names(finished.results.methods.iter().map(|method| method.name.as_str()));
-    let manifest = Manifest::of(plan, finished);
-    let mut record = ResultFile::new(plan, finished);
+    let record = ResultFile::new(plan, finished);
+    let mut delivery =
+        Delivery { plan, finished, folder, progress, record, notes: Vec::new(), refusals: Vec::new() };
     // What was computed is kept even where another file cannot be written.
-    let files = (|| {
-        for (k, (method, file)) in finished.results.methods.iter().zip(&names).enumerate() {
-            let Ok(done) = &method.outcome else { continue };
-            for &format in &plan.output.formats {
-                let (surface, family) = (&done.solved.surface, done.solved.family);
-                let named = Named { name: &method.name, surface, family, mesh: &done.mesh };
-                let file = surface_file(file, format);
-                if progress.cancelled() {
-                    record.add_unwritten(&file);
-                    continue;
-                }
-                match export::write(
-                    format,
-                    named,
-                    plan.output.step_tolerance,
-                    &Destination::own(folder.join(&file)),
-                ) {
-                    Ok(form) => {
-                        if let Some(form) = &form {
-                            notes.push(format!("{file}: {}", form.description));
-                        }
-                        record.add_file(Some(k), file, form);
-                    }
-                    Err(ExportError::Failed(error)) => return Err(error),
-                    Err(refusal) => {
-                        record.add_unwritten(&file);
-                        refusals.push(refusal);
-                    }
-                }
-            }
-        }
-        let mut listed: Vec<String> =
-            std::iter::once(RESULT_FILE).chain(record.files()).map(str::to_owned).collect();
-        let mut keep = |name: &str, fill: &dyn Fn(&mut dyn io::Write) -> io::Result<()>| {
-            if progress.cancelled() {
-                record.add_unwritten(name);
-            } else {
-                write(name, fill)?;
-                record.add_file(None, name.to_owned(), None);
-            }
-            Ok(())
-        };
-        if let Some(curve) = &finished.results.curve {
-            keep(CURVE_FILE, &|out| write_curve(curve, out))?;
-            listed.push(CURVE_FILE.to_owned());
-        }
-        if plan.output.formats.contains(&Format::Glb)
-            && let Some((helicoid, catenoid, weights)) = deformation(finished)
-        {
-            keep(DEFORMATION_FILE, &|out| {
-                write_deformation(&finished.results.title, helicoid, catenoid, &weights, out)
-            })?;
-            listed.push(DEFORMATION_FILE.to_owned());
-        }
-        if plan.output.pictures && !progress.cancelled() {
-            let scene = Scene::of(&finished.results);
-            let pictures = pictures(&finished.results, scene.as_ref());
-            for picture in &pictures {
-                keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
-            }
-            let about = about(plan, finished, &manifest, listed);
-            let report = page(&finished.results, &about, scene.as_ref(), &pictures);
-            keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))?;
-        } else if plan.output.pictures {
-            record.add_unwritten(REPORT_FILE);
+    let files = delivery.surfaces().and_then(|()| delivery.others());
+    if let Err(DeliverError { path, .. }) = &files {
+        delivery.record.add_unwritten(&path.file_name().unwrap_or_default().to_string_lossy());
+    }
+    let json = |out: &mut dyn io::Write| -> io::Result<()> {
+        out.write_all(delivery.record.to_json().map_err(io::Error::other)?.as_bytes())
+    };
+    delivery.write(RESULT_FILE, &json)?;
+    files?;
+    delivery.remove_earlier(&before);
+    let Delivery { folder, record, notes, refusals, .. } = delivery;
+    Ok(Delivered { folder, record, notes, refusals })
+}
+
+/// A folder in the making.
+struct Delivery<'a> {
+    plan: &'a Plan,
+    finished: &'a Finished,
+    folder: PathBuf,
+    progress: &'a dyn Progress,
+    record: ResultFile,
+    notes: Vec<String>,
+    refusals: Vec<ExportError>,
+}
+
+/// What fills a file.
+type Fill<'f> = &'f dyn Fn(&mut dyn io::Write) -> io::Result<()>;
+
+impl Delivery<'_> {
+    /// Writes one file, whole or not at all.
+    fn write(&self, name: &str, fill: Fill<'_>) -> Result<(), DeliverError> {
+        let path = self.folder.join(name);
+        atomic::write(&path, fill).map_err(|source| DeliverError { path, source })
+    }
+
+    /// Writes a file that belongs to no method and lists it, if time is left.
+    fn keep(&mut self, name: &str, fill: Fill<'_>) -> Result<(), DeliverError> {
+        if self.progress.cancelled() {
+            self.record.add_unwritten(name);
+        } else {
+            self.write(name, fill)?;
+            self.record.add_file(None, name.to_owned(), None);
         }
         Ok(())
-    })();
-    if let Err(DeliverError { path, .. }) = &files {
-        record.add_unwritten(&path.file_name().unwrap_or_default().to_string_lossy());
     }
-    write(RESULT_FILE, &|out| out.write_all(record.to_json().map_err(io::Error::other)?.as_bytes()))?;
-    files?;
-    // A disk that does not tell capitals apart has them under either name.
-    let now: HashSet<String> = record.files().map(caseless).collect();
-    for name in before.iter().filter(|name| !now.contains(&caseless(name))) {
-        if let Err(error) = fs::remove_file(folder.join(name))
-            && error.kind() != io::ErrorKind::NotFound
+
+    /// Every surface in every format that was asked for.
+    fn surfaces(&mut self) -> Result<(), DeliverError> {
+        let methods = &self.finished.results.methods;
+        let names = file_names(methods.iter().map(|method| method.name.as_str()));
+        for (k, (method, name)) in methods.iter().zip(&names).enumerate() {
+            let Ok(done) = &method.outcome else { continue };
+            for &format in &self.plan.output.formats {
+                self.surface(k, (&method.name, done), surface_file(name, format), format)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The surface of method `k` as `file`; a surface that the format cannot hold is a refusal.
+    fn surface(
+        &mut self,
+        k: usize,
+        (name, done): (&str, &Done),
+        file: String,
+        format: Format,
+    ) -> Result<(), DeliverError> {
+        if self.progress.cancelled() {
+            self.record.add_unwritten(&file);
+            return Ok(());
+        }
+        let (surface, family) = (&done.solved.surface, done.solved.family);
+        let named = Named { name, surface, family, mesh: &done.mesh };
+        let destination = Destination::own(self.folder.join(&file));
+        match export::write(format, named, self.plan.output.step_tolerance, &destination) {
+            Ok(form) => {
+                if let Some(form) = &form {
+                    self.notes.push(format!("{file}: {}", form.description));
+                }
+                self.record.add_file(Some(k), file, form);
+            }
+            Err(ExportError::Failed(error)) => return Err(error),
+            Err(refusal) => {
+                self.record.add_unwritten(&file);
+                self.refusals.push(refusal);
+            }
+        }
+        Ok(())
+    }
+
+    /// The files of the experiment as a whole: the samples of a curve, the deformation, pictures and page.
+    fn others(&mut self) -> Result<(), DeliverError> {
+        let finished = self.finished;
+        let mut listed: Vec<String> =
+            std::iter::once(RESULT_FILE).chain(self.record.files()).map(str::to_owned).collect();
+        if let Some(curve) = &finished.results.curve {
+            self.keep(CURVE_FILE, &|out| write_curve(curve, out))?;
+            listed.push(CURVE_FILE.to_owned());
+        }
+        if self.plan.output.formats.contains(&Format::Glb)
+            && let Some((helicoid, catenoid, weights)) = deformation(finished)
         {
-            notes.push(format!("{name} is of an earlier result and cannot be removed: {error}"));
+            let title = &finished.results.title;
+            self.keep(DEFORMATION_FILE, &|out| write_deformation(title, helicoid, catenoid, &weights, out))?;
+            listed.push(DEFORMATION_FILE.to_owned());
+        }
+        match self.plan.output.pictures {
+            true if self.progress.cancelled() => self.record.add_unwritten(REPORT_FILE),
+            true => self.pictures(listed)?,
+            false => {}
+        }
+        Ok(())
+    }
+
+    /// The pictures and the page, which links the files `listed`.
+    fn pictures(&mut self, listed: Vec<String>) -> Result<(), DeliverError> {
+        let results = &self.finished.results;
+        let scene = Scene::of(results);
+        let pictures = pictures(results, scene.as_ref());
+        for picture in &pictures {
+            self.keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
+        }
+        let manifest = Manifest::of(self.plan, self.finished);
+        let about = about(self.plan, self.finished, &manifest, listed);
+        let report = page(results, &about, scene.as_ref(), &pictures);
+        self.keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))
+    }
+
+    /// Removes the files `before` that are not among those of this result.
+    fn remove_earlier(&mut self, before: &BTreeSet<String>) {
+        // A disk that does not tell capitals apart has them under either name.
+        let now: HashSet<String> = self.record.files().map(caseless).collect();
+        for name in before.iter().filter(|name| !now.contains(&caseless(name))) {
+            if let Err(error) = fs::remove_file(self.folder.join(name))
+                && error.kind() != io::ErrorKind::NotFound
+            {
+                self.notes.push(format!("{name} is of an earlier result and cannot be removed: {error}"));
+            }
         }
     }
-    Ok(Delivered { folder, record, notes, refusals })
 }
 
 /// What the page says beside the results.

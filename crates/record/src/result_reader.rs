@@ -248,9 +248,10 @@ impl StoredMethod {
     }
 }
 
-fn surface(entry: Entry, place: &str) -> Result<(Surface, Family), ReadError> {
+fn surface(mut entry: Entry, place: &str) -> Result<(Surface, Family), ReadError> {
     let key = |name: &str| format!("{place}.{name}");
-    let (patch, basis) = (required(entry.patch, &key("patch"))?, required(entry.basis, &key("basis"))?);
+    let (patch, basis) =
+        (required(entry.patch.take(), &key("patch"))?, required(entry.basis.take(), &key("basis"))?);
     let family = Family::named(&patch, &basis).ok_or_else(|| {
         let known: Vec<String> = Family::ALL
             .iter()
@@ -274,18 +275,31 @@ fn surface(entry: Entry, place: &str) -> Result<(Surface, Family), ReadError> {
         Family::TbCoons => sound(tb_coons(whole(entry.net)?, shape(entry.shape)?))?,
         Family::Complex => complex(&typed::<Vec<FaceEntry>>(entry.faces, &key("faces"))?, &key("faces"))?,
         Family::Triangle => triangle(&typed::<Vec<IndexedPoint>>(entry.net, &net_key)?, &net_key)?,
-        Family::Aht | Family::At => Surface::Pieces(match entry.pieces {
-            Some(value) => {
-                pieces(&typed::<Vec<PieceEntry>>(Some(value), &key("pieces"))?, family, &key("pieces"))?
-            }
-            None => {
-                let DomainEntry { u, v } = typed(entry.domain, &key("domain"))?;
-                let net = typed::<Rows>(entry.net, &net_key)?;
-                pieces(&[PieceEntry { u, v, net }], family, place)?
-            }
-        }),
+        Family::Aht => all_pieces(entry, aht, place)?,
+        Family::At => all_pieces(entry, at, place)?,
     };
     Ok((surface, family))
+}
+
+/// The pieces of an entry, or the one of its net and domain.
+fn all_pieces(
+    entry: Entry,
+    families: fn(&PieceEntry) -> Families,
+    place: &str,
+) -> Result<Surface, ReadError> {
+    let key = |name: &str| format!("{place}.{name}");
+    let pieces = match entry.pieces {
+        Some(value) => {
+            let key = key("pieces");
+            pieces(&typed::<Vec<PieceEntry>>(Some(value), &key)?, families, &key)?
+        }
+        None => {
+            let DomainEntry { u, v } = typed(entry.domain, &key("domain"))?;
+            let net = typed::<Rows>(entry.net, &key("net"))?;
+            pieces(&[PieceEntry { u, v, net }], families, place)?
+        }
+    };
+    Ok(Surface::Pieces(pieces))
 }
 
 type Rows = Vec<Vec<[f64; 3]>>;
@@ -330,7 +344,11 @@ fn triangle(points: &[IndexedPoint], key: &str) -> Result<Surface, ReadError> {
         .map_err(|error| unfit(key, error.to_string()))
 }
 
-fn pieces(entries: &[PieceEntry], family: Family, key: &str) -> Result<Pieces, ReadError> {
+fn pieces(
+    entries: &[PieceEntry],
+    families: fn(&PieceEntry) -> Families,
+    key: &str,
+) -> Result<Pieces, ReadError> {
     let Some(first) = entries.first() else { return Err(unfit(key, "is empty".into())) };
     let cols = entries.iter().take_while(|entry| entry.u == first.u).count();
     let cuts = |ends: &mut dyn Iterator<Item = [f64; 2]>| -> Vec<f64> {
@@ -356,7 +374,7 @@ fn pieces(entries: &[PieceEntry], family: Family, key: &str) -> Result<Pieces, R
                 "its intervals do not continue the grid of the pieces before it".into(),
             ));
         }
-        let patch = families(family, entry)
+        let patch = families(entry)
             .map_err(SurfaceError::from)
             .and_then(|[u, v]| TensorPatch::new(vec![Product { u, v }], net))
             .map_err(|error| unfit(&here, error.to_string()))?;
@@ -407,17 +425,17 @@ fn complex(faces: &[FaceEntry], key: &str) -> Result<Surface, ReadError> {
     filled.map(Surface::Complex).map_err(|error| unfit(key, error.to_string()))
 }
 
-fn families(family: Family, entry: &PieceEntry) -> Result<[Arc<dyn Basis>; 2], BasisError> {
-    let span = |[start, end]: [f64; 2]| end - start;
-    Ok(match family {
-        Family::At => [Arc::new(Bernstein::new(1)?), Arc::new(At::new(span(entry.v))?)],
-        Family::Aht
-        | Family::Bernstein
-        | Family::Gt
-        | Family::TbCoons
-        | Family::Triangle
-        | Family::Complex => [Arc::new(Aht::new(span(entry.u))?), Arc::new(Aht::new(span(entry.v))?)],
-    })
+/// The families of the two directions of a piece.
+type Families = Result<[Arc<dyn Basis>; 2], BasisError>;
+
+fn aht(piece: &PieceEntry) -> Families {
+    let direction = |[start, end]: [f64; 2]| Aht::new(end - start);
+    Ok([Arc::new(direction(piece.u)?), Arc::new(direction(piece.v)?)])
+}
+
+fn at(piece: &PieceEntry) -> Families {
+    let [start, end] = piece.v;
+    Ok([Arc::new(Bernstein::new(1)?), Arc::new(At::new(end - start)?)])
 }
 
 pub(crate) fn check_schema(found: Option<String>) -> Result<(), ReadError> {

@@ -124,3 +124,18 @@ fn the_metric_energy_of_a_correction_lies_above_twice_its_area() {
         assert!((2.0 * area - error..2.0 * area * 1.01).contains(&metric), "{metric} for twice {area}");
     }
 }
+
+/// A record whose surface is not what its family says is refused, never read as another family's.
+#[test]
+fn pieces_of_another_family_are_refused() {
+    let plan = Plan::read(std::path::Path::new(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../fixtures/helicoid-ten-turns.toml"
+    )))
+    .unwrap();
+    let json = ResultFile::new(&plan, &run(&plan, Options::default(), &()).unwrap()).to_json().unwrap();
+    assert!(json.contains("\"pieces\"") && record::StoredResult::parse(json.as_bytes()).is_ok());
+    let forged = json.replace("\"basis\": \"aht\"", "\"basis\": \"bernstein\"");
+    let error = record::StoredResult::parse(forged.as_bytes()).unwrap_err().to_string();
+    assert!(error.contains("`methods[0].net` is missing"), "{error}");
+}

@@ -17,7 +17,6 @@
 //! | too few, too many or conflicting conditions | [`solve_rank`] | |
 //! | is a matrix positive definite beyond doubt? | [`proves_positive_definite`] | O(n³) |
 //! | is a critical point a minimum? | [`smallest_eigenvalue`], [`smallest_relative_eigenvalue`], [`smallest_eigenpair`], [`eigen_symmetric`] | |
-//! | the minimum of a smooth function with its Hessian | [`newton`] | |
 //! | a sum of matrices of cells that share unknowns on their rims | [`Condensation`] | |
 //! | functions made orthonormal from samples | [`orthonormalise`] | |
 //!
@@ -52,7 +51,6 @@ mod eigen;
 mod error;
 mod lanczos;
 mod memory;
-mod newton;
 mod orthonormal;
 mod parametric;
 mod partition;
@@ -61,7 +59,6 @@ mod scale;
 mod separable;
 mod sparse;
 mod system;
-mod trust_region;
 
 pub use certificate::proves_positive_definite;
 pub use condensed::{Condensation, Condensed};
@@ -69,7 +66,6 @@ pub use dense::{Cholesky, Lu, solve_general, solve_partitioned, solve_spd};
 pub use eigen::{SymmetricEigen, eigen_symmetric, smallest_eigenvalue, smallest_relative_eigenvalue};
 pub use error::{Place, SolveError};
 pub use lanczos::{Eigenpair, smallest_eigenpair};
-pub use newton::{NewtonEnd, NewtonParams, NewtonReport, SmoothFunction, newton};
 pub use orthonormal::orthonormalise;
 pub use parametric::{Parametric, ParametricProblem, ParametricSolution, Path, PolynomialMatrix, Term};
 pub use partition::Partition;

@@ -75,22 +75,29 @@ pub fn solve_rank(
         }
     }
     check::finite(Place::Solution, columns.max(1), &x)?;
-    let (mut inconsistent, mut residual) = (0, 0.0f64);
-    let scale: Vec<f64> = (0..columns)
-        .map(|c| {
-            let length = (0..cols).map(|j| x[j * columns + c].powi(2)).sum::<f64>().sqrt();
-            first * length + (0..rows).fold(0.0f64, |b, i| b.max(rhs[i * columns + c].abs()))
-        })
-        .collect();
-    for i in 0..rows {
-        let mut miss = 0.0f64;
-        for c in 0..columns {
-            let product: f64 = (0..cols).map(|j| matrix[i * cols + j] * x[j * columns + c]).sum();
-            let defect = (product - rhs[i * columns + c]).abs();
-            miss = miss.max(if defect == 0.0 { 0.0 } else { defect / scale[c] });
-        }
-        inconsistent += usize::from(miss > tolerance);
-        residual = residual.max(miss);
-    }
+    let misses = misses((rows, cols, matrix), columns, rhs, &x, first);
+    let inconsistent = misses.iter().filter(|&&miss| miss > tolerance).count();
+    let residual = misses.into_iter().fold(0.0, f64::max);
     Ok(RankSolution { x, rank, nullity: cols - rank, inconsistent, residual, singular_values: s })
+}
+
+/// By how much each row of `A` misses its right-hand sides, as a share of `σ₁ ‖x‖₂ + ‖b‖∞`: the largest over the columns.
+fn misses(
+    (rows, cols, matrix): (usize, usize, &[f64]),
+    columns: usize,
+    rhs: &[f64],
+    x: &[f64],
+    first: f64,
+) -> Vec<f64> {
+    let scale = |c: usize| {
+        let length = (0..cols).map(|j| x[j * columns + c].powi(2)).sum::<f64>().sqrt();
+        first * length + (0..rows).fold(0.0f64, |b, i| b.max(rhs[i * columns + c].abs()))
+    };
+    let scales: Vec<f64> = (0..columns).map(scale).collect();
+    let miss = |i: usize, c: usize| {
+        let product: f64 = (0..cols).map(|j| matrix[i * cols + j] * x[j * columns + c]).sum();
+        let defect = (product - rhs[i * columns + c]).abs();
+        if defect == 0.0 { 0.0 } else { defect / scales[c] }
+    };
+    (0..rows).map(|i| (0..columns).map(|c| miss(i, c)).fold(0.0, f64::max)).collect()
 }

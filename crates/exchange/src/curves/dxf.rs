@@ -58,16 +58,7 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
     if let Some(unit) = unit {
         file.notes.push(format!("lengths are in {unit}, as in the file"));
     }
-    if !passed_over.is_empty() {
-        let kinds: Vec<String> =
-            passed_over.iter().take(8).map(|(kind, count)| format!("{count} {kind}")).collect();
-        let hint = if passed_over.iter().any(|(kind, _)| kind == "INSERT") {
-            "; explode blocks (INSERT) to have their curves"
-        } else {
-            ""
-        };
-        file.notes.push(format!("passed over: {}{hint}", kinds.join(", ")));
-    }
+    file.notes.extend(said_of(&passed_over));
     if file.curves.is_empty() {
         let found = file.notes.last().map_or_else(String::new, |note| format!(" ({note})"));
         return Err(CurveFileError::File(format!(
@@ -75,6 +66,15 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
         )));
     }
     Ok(file)
+}
+
+/// What is said of the kinds of entities that were passed over.
+fn said_of(passed_over: &[(String, usize)]) -> Option<String> {
+    let kinds: Vec<String> =
+        passed_over.iter().take(8).map(|(kind, count)| format!("{count} {kind}")).collect();
+    let has_blocks = passed_over.iter().any(|(kind, _)| kind == "INSERT");
+    let hint = if has_blocks { "; explode blocks (INSERT) to have their curves" } else { "" };
+    (!kinds.is_empty()).then(|| format!("passed over: {}{hint}", kinds.join(", ")))
 }
 
 fn pass_over(passed_over: &mut Vec<(String, usize)>, kind: &str) {

@@ -79,24 +79,11 @@ pub(crate) fn write(
     });
     let mut gltf_mesh = json!({ "name": name });
     let mut animations = Vec::new();
-    if let Some(Motion { targets, keys }) = motion {
-        let moved = targets
-            .iter()
-            .map(|(_, shifts)| Ok(json!({ "POSITION": buffer.positions(shifts, Point::ZERO)? })));
-        primitive["targets"] = moved.collect::<io::Result<Vec<Value>>>()?.into();
-        gltf_mesh["weights"] = keys.first().map_or(Vec::new(), |(_, weights)| weights.clone()).into();
-        extras.insert("targetNames".into(), targets.iter().map(|(name, _)| *name).collect());
-        let times = keys.iter().map(|(time, _)| *time as f32).collect();
-        let weights = keys.iter().flat_map(|(_, weights)| weights).map(|w| *w as f32).collect();
-        animations.push(json!({
-            "name": name,
-            "samplers": [{
-                "input": buffer.times(times),
-                "interpolation": "LINEAR",
-                "output": buffer.scalars(weights),
-            }],
-            "channels": [{ "sampler": 0, "target": { "node": 0, "path": "weights" } }],
-        }));
+    if let Some(motion) = motion {
+        primitive["targets"] = targets(motion, &mut buffer)?.into();
+        gltf_mesh["weights"] = motion.keys.first().map_or(Vec::new(), |(_, weights)| weights.clone()).into();
+        extras.insert("targetNames".into(), motion.targets.iter().map(|(name, _)| *name).collect());
+        animations.push(animation(name, motion, &mut buffer));
     }
     gltf_mesh["primitives"] = vec![primitive].into();
     if !extras.is_empty() {
@@ -120,6 +107,29 @@ pub(crate) fn write(
     root["bufferViews"] = std::mem::take(&mut buffer.views).into();
     root["buffers"] = json!([{ "byteLength": buffer.length }]);
     chunks(&root, &buffer, out)
+}
+
+/// The displacements of the vertices, one accessor a target.
+fn targets<'a>(motion: &'a Motion<'_>, buffer: &mut Buffer<'a>) -> io::Result<Vec<Value>> {
+    let target = |(_, shifts): &'a (&str, Vec<Point>)| {
+        Ok(json!({ "POSITION": buffer.positions(shifts, Point::ZERO)? }))
+    };
+    motion.targets.iter().map(target).collect()
+}
+
+/// The weights of the targets over the time.
+fn animation(name: &str, motion: &Motion<'_>, buffer: &mut Buffer<'_>) -> Value {
+    let times = motion.keys.iter().map(|(time, _)| *time as f32).collect();
+    let weights = motion.keys.iter().flat_map(|(_, weights)| weights).map(|w| *w as f32).collect();
+    json!({
+        "name": name,
+        "samplers": [{
+            "input": buffer.times(times),
+            "interpolation": "LINEAR",
+            "output": buffer.scalars(weights),
+        }],
+        "channels": [{ "sampler": 0, "target": { "node": 0, "path": "weights" } }],
+    })
 }
 
 /// The mesh with y up, moved to where it lies.

@@ -66,7 +66,7 @@ impl Field {
     pub(crate) fn rounding(self, flat: f64) -> f64 {
         match self {
             Self::Gauss => flat * flat,
-            _ => flat,
+            Self::Mean | Self::Laplacian | Self::Conformality => flat,
         }
     }
 
