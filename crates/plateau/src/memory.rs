@@ -37,7 +37,9 @@ pub(crate) fn of_method(method: &Method, (m, n): (usize, usize)) -> usize {
             square(points).saturating_mul(forms).saturating_add(square(free).saturating_mul(6))
         }
         Interior::Harmonic => square(points).saturating_mul(6),
-        Interior::Mask(_) | Interior::DiscreteCoons => points.saturating_mul(4096),
+        Interior::Mask(_) => points.saturating_mul(4096),
+        // Nothing is solved: the net, and the few copies that are made of it.
+        Interior::DiscreteCoons => points.saturating_mul(256),
     }
 }
 
