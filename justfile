@@ -29,6 +29,17 @@ success-rates-peer:
     target/peer-venv/bin/pip install --quiet -r benches/peer/requirements.txt
     target/peer-venv/bin/python benches/peer/success_rates.py
 
+# The Python package: wheel, tests, types.
+python:
+    bash .ci/python
+
+# Wheels and sources of the Python package for people, into target/wheels: for every Linux with glibc 2.28 or later where zig is (`pip install ziglang`), else for Linux as new as this one.
+wheels:
+    python3 -m venv target/wheels-venv
+    target/wheels-venv/bin/pip install --quiet 'maturin[zig]'
+    PATH="$PWD/target/wheels-venv/bin:$PATH" maturin build --release --strip --zig --compatibility manylinux_2_28 --manifest-path bindings/python/Cargo.toml --out target/wheels
+    target/wheels-venv/bin/maturin sdist --manifest-path bindings/python/Cargo.toml --out target/wheels
+
 # Everything CI checks.
 ci:
     bash .ci/run

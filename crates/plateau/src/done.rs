@@ -1,6 +1,11 @@
 //! A patch that was found, with its figures.
 
-use crate::{BoundaryFigures, ClosedForm, Figures, FilmFigures, Solved, Warning};
+use surfaces::Patch;
+
+use crate::{
+    BoundaryFigures, ClosedForm, Context, Family, Figures, FilmFigures, MethodError, Search, Solved, Surface,
+    Warning, trust,
+};
 
 /// A method that found its patch.
 #[derive(Debug)]
@@ -20,4 +25,44 @@ pub struct Done {
     pub film: Option<FilmFigures>,
     /// What a reader must know about this method.
     pub warnings: Vec<Warning>,
+}
+
+impl Done {
+    /// A surface that is there already, with its figures: nothing is minimised, and nothing is known of a way to it.
+    ///
+    /// ```
+    /// use plateau::{Done, Family, Surface};
+    /// use surfaces::{Net, Point, TensorPatch};
+    /// let square = [[0., 0., 0.], [0., 1., 0.], [2., 0., 0.], [2., 1., 0.]].map(Point::from);
+    /// let patch = TensorPatch::bernstein(Net::new(2, 2, square.to_vec())?)?;
+    /// let done = Done::of(Surface::Tensor(patch), Family::Bernstein)?;
+    /// assert!((done.figures.area.value - 2.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MethodError`] where a figure cannot be computed.
+    pub fn of(surface: Surface, family: Family) -> Result<Self, MethodError> {
+        let mesh = surface.mesh(Context::new(0).mesh)?;
+        let figures = match &surface {
+            Surface::Complex(complex) => {
+                let patches = (0..complex.faces().len())
+                    .map(|face| complex.patch(face))
+                    .collect::<Result<Vec<_>, _>>()?;
+                let patches: Vec<&dyn Patch> = patches.iter().map(|patch| patch as _).collect();
+                Figures::of_all(&patches, &mesh)?
+            }
+            Surface::Tensor(patch) => Figures::of(patch, &mesh)?,
+            Surface::Triangle(patch) => Figures::of(patch, &mesh)?,
+            Surface::Pieces(pieces) => Figures::of(pieces, &mesh)?,
+        };
+        let boundary = match &surface {
+            Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
+            Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
+        };
+        let solved =
+            Solved { surface, family, minimised: None, shape: None, solve: None, area: None, search: None };
+        let warnings = trust::warnings(&solved, &figures, &Search::default());
+        Ok(Self { solved, mesh, figures, boundary, closed_form: None, film: None, warnings })
+    }
 }

@@ -214,6 +214,15 @@ impl Delivery<'_> {
     }
 }
 
+/// The page of a finished experiment by itself: no file lies beside it.
+#[must_use]
+pub fn report(plan: &Plan, finished: &Finished) -> String {
+    let scene = Scene::of(&finished.results);
+    let pictures = pictures(&finished.results, scene.as_ref());
+    let manifest = Manifest::of(plan, finished);
+    page(&finished.results, &about(plan, finished, &manifest, Vec::new()), scene.as_ref(), &pictures)
+}
+
 /// What the page says beside the results.
 fn about<'a>(
     plan: &'a Plan,

@@ -22,14 +22,14 @@ mod verification;
 
 pub use atomic::Claim;
 pub use checkpoint::{CHECKPOINT_FILE, Checkpoint, CheckpointError};
-pub use deliver::{Delivered, deliver, deliver_watched, prepare};
+pub use deliver::{Delivered, deliver, deliver_watched, prepare, report};
 pub use destination::Destination;
 pub use earlier::{Earlier, earlier};
 pub use export::{DeliverError, ExportError, export_complex, write_text};
 pub use folder::{folder, folder_key};
 pub use manifest::{Manifest, Origin};
 pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};
-pub use result::ResultFile;
+pub use result::{ResultFile, method_record};
 pub use result_reader::{ReadError, StoredMethod, StoredResult};
 pub use schema::SCHEMA;
 pub use verification::{Difference, Level, Verification, Verified, VerifyError, verify};

@@ -350,6 +350,14 @@ impl ResultFile {
     }
 }
 
+/// What `result.json` says of one method, as JSON.
+///
+/// # Errors
+/// Never in fact: every part of a record has a JSON form.
+pub fn method_record(result: &MethodResult) -> serde_json::Result<String> {
+    serde_json::to_string(&method_entry(result))
+}
+
 fn finite(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }

@@ -22,7 +22,7 @@ use crate::file_name::file_names;
 use crate::result_size::{Excess, MAX_TABLES, MAX_VALUES, excess};
 use crate::{Destination, ExportError, SCHEMA};
 use exchange::{Format, SurfaceForm};
-use plateau::{Family, MAX_DEGREE, Surface};
+use plateau::{Family, MAX_DEGREE, MethodResult, Surface};
 
 /// Largest size in bytes of a result file.
 const LARGEST_FILE: u64 = 64 * 1024 * 1024;
@@ -214,6 +214,14 @@ pub(crate) fn check_size(bytes: &[u8]) -> Result<(), ReadError> {
 }
 
 impl StoredMethod {
+    /// A method that was just run, as it would be read back.
+    #[must_use]
+    pub fn of(result: &MethodResult) -> Self {
+        let surface = result.outcome.as_ref().map(|done| (done.solved.surface.clone(), done.solved.family));
+        let file_name = file_names(std::iter::once(result.name.as_str())).swap_remove(0);
+        Self { name: result.name.clone(), file_name, surface: surface.map_err(ToString::to_string) }
+    }
+
     /// Writes the surface as a file, whole or not at all: a mesh with `subdivisions` per side, or, for formats that hold a
     /// surface by a formula, that within `tolerance` times its size. In the latter case, what the file holds.
     ///

@@ -1,0 +1,43 @@
+//! Pictures and pages of surfaces.
+
+use plateau::{MethodResult, Results};
+use pyo3::prelude::*;
+use show::{About, Scene};
+
+use crate::surface::Surface;
+use crate::watch::watched;
+
+/// Name, caption, SVG.
+type PictureFields = (String, String, String);
+
+/// One page of surfaces, and their pictures as (name, caption, SVG).
+///
+/// `text` is the experiment they come of, empty if there is none; `warnings` are sentences about the whole.
+#[pyfunction]
+pub(crate) fn page(
+    py: Python<'_>,
+    title: &str,
+    surfaces: Vec<PyRef<'_, Surface>>,
+    warnings: Vec<String>,
+    text: &str,
+) -> PyResult<(String, Vec<PictureFields>)> {
+    let surfaces: Vec<&Surface> = surfaces.iter().map(|surface| &**surface).collect();
+    watched(py, None, |_| {
+        let methods: Vec<MethodResult> =
+            surfaces.iter().map(|surface| surface.shown()).collect::<PyResult<_>>()?;
+        let results = Results { title: title.to_owned(), methods, curve: None, warnings };
+        let scene = Scene::of(&results);
+        let pictures = show::pictures(&results, scene.as_ref());
+        let about = About {
+            file: title,
+            text,
+            seed: 0,
+            comparisons: Vec::new(),
+            files: Vec::new(),
+            origin: Vec::new(),
+        };
+        let page = show::page(&results, &about, scene.as_ref(), &pictures);
+        let pictures = pictures.into_iter().map(|p| (p.name.to_owned(), p.caption, p.svg)).collect();
+        Ok((page, pictures))
+    })?
+}

@@ -1,0 +1,75 @@
+//! Experiments, run.
+
+use std::path::PathBuf;
+
+use experiment::{Finished, Options, Plan};
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+use record::ResultFile;
+
+use crate::errors::{MethodError, of_method, of_refusal};
+use crate::surface::Surface;
+use crate::watch::watched;
+
+/// An experiment that was run.
+#[pyclass(frozen, module = "plateau_patches._engine")]
+pub(crate) struct Run {
+    plan: Plan,
+    finished: Finished,
+}
+
+/// Runs the experiment in a text, of a file called `name`.
+#[pyfunction]
+#[pyo3(signature = (text, name, seed=None, told=None))]
+pub(crate) fn run(
+    py: Python<'_>,
+    text: &str,
+    name: &str,
+    seed: Option<u64>,
+    told: Option<Py<PyAny>>,
+) -> PyResult<Run> {
+    let plan = Plan::parse(name, text).map_err(|refusal| of_refusal(&refusal))?;
+    let options = Options { seed, ..Options::default() };
+    let finished = watched(py, told.as_ref(), |progress| experiment::run(&plan, options, progress))?;
+    Ok(Run { finished: finished.map_err(|error| of_method(&error))?, plan })
+}
+
+#[pymethods]
+impl Run {
+    /// The surface of the method at a place.
+    fn surface(&self, index: usize) -> PyResult<Surface> {
+        let method = self.finished.results.methods.get(index);
+        let method = method.ok_or_else(|| MethodError::new_err(format!("there is no method {index}")))?;
+        if let Err(error) = &method.outcome {
+            return Err(of_method(error));
+        }
+        Surface::of(method)
+    }
+
+    /// The text of `result.json`.
+    fn record(&self) -> PyResult<String> {
+        let record = ResultFile::new(&self.plan, &self.finished);
+        record.to_json().map_err(|error| MethodError::new_err(error.to_string()))
+    }
+
+    /// The table that the command prints, in so many columns.
+    fn table(&self, width: usize) -> String {
+        show::table(&self.finished.results, width)
+    }
+
+    /// The page that the command writes.
+    fn page(&self, py: Python<'_>) -> PyResult<String> {
+        watched(py, None, |_| record::report(&self.plan, &self.finished))
+    }
+
+    /// Writes the folder that the command writes, and its notes.
+    fn deliver(&self, py: Python<'_>, out: PathBuf) -> PyResult<(PathBuf, Vec<String>)> {
+        let delivered = watched(py, None, |progress| {
+            let _claim = record::prepare(&self.plan, &out)?;
+            record::deliver_watched(&self.plan, &self.finished, &out, progress)
+        })?;
+        let delivered = delivered.map_err(|error| PyOSError::new_err(error.to_string()))?;
+        let refusals = delivered.refusals.iter().map(ToString::to_string);
+        Ok((delivered.folder, delivered.notes.into_iter().chain(refusals).collect()))
+    }
+}
