@@ -48,11 +48,8 @@ impl Options {
     }
 
     fn fill(&self) -> PyResult<Fill> {
-        let mut fill = Fill::default()
-            .with_energy(self.energy())
-            .with_tolerance(self.tolerance)
-            .with_corner_angle(self.corner_angle.to_radians())
-            .with_mesh(self.mesh);
+        let mut fill =
+            Fill::default().with_energy(self.energy()).with_tolerance(self.tolerance).with_mesh(self.mesh);
         if let Some(degree) = self.degree {
             fill = fill.with_degree(degree);
         }

@@ -39,6 +39,8 @@ pub struct Assembly {
     pub form: Form,
     /// What was welded.
     pub weld: Weld,
+    /// Turn in degrees above which polylines have corners.
+    pub corner_angle: f64,
     /// The diagonal of the box around all curves.
     pub size: f64,
     /// Sentences a user should see.
@@ -93,7 +95,7 @@ impl Assembly {
         if let Form::Faces(faces) = &mut form {
             split::split(&mut vertices, &mut sides, faces);
         }
-        Ok(Self { vertices, sides, form, weld, size, notes })
+        Ok(Self { vertices, sides, form, weld, corner_angle: angle, size, notes })
     }
 }
 

@@ -20,11 +20,11 @@ pub const MAX_IMPORT_SIZE: u64 = 16 * 1024 * 1024;
 
 /// Reads the boundary in a file (`bytes`; `name` is that of the file or `-`) and prints an experiment over it.
 ///
-/// Three or four curves of points that form a loop become the sides of a triangular or a tensor boundary. Without a degree their points
-/// are control points; with one they are samples, and each side is the Bernstein curve of that degree nearest to them in the sense of
-/// least squares, its ends on theirs; how near is said in comments. Straight sides are straight whatever the degree. So do loops of
-/// three or four straight lines and Bézier curves, which stay as they are. All else becomes a boundary of loops or faces
-/// over curves, sampled ones to be met within the tolerance.
+/// It is a boundary of loops or faces over curves, polylines between corners being samples to be met within the tolerance, and its method
+/// the least area: what [`plateau::Fill`] fills. Three or four curves of points under the names of sides of experiments are control
+/// points, and become the sides of a triangular or a tensor boundary. So do others that form a loop where something is said of their
+/// points: with a degree they are samples, and each side is the Bernstein curve of that degree nearest to them in the sense of
+/// least squares, its ends on theirs; how near is said in comments. Straight sides are straight whatever the degree.
 ///
 /// # Errors
 /// [`ImportError`]; the file itself is not named in it.
@@ -48,7 +48,7 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
     let notes: Vec<&str> = notes.into_iter().chain(assembly.notes.iter().map(String::as_str)).collect();
     match Sides::of_assembly(&assembly, options)? {
         Some(sides) => checked(sides.printed(&title, &notes)),
-        None => printed::assembly(&title, &assembly, options, &notes),
+        None => checked(printed::assembly(&title, &assembly, options, &notes)),
     }
 }
 
@@ -64,7 +64,7 @@ pub fn import_assembly(
     notes: &[&str],
 ) -> Result<String, ImportError> {
     options.check()?;
-    printed::assembly(&title(name), assembly, options, notes)
+    checked(printed::assembly(&title(name), assembly, options, notes))
 }
 
 /// What a file is called without its folder and ending.

@@ -109,11 +109,10 @@ pub(crate) struct ImportArguments {
     /// A table of points (CSV), OBJ lines or curves, STEP, ASCII DXF; - for stdin
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
-    /// The points of sides are samples: fit curves of this degree to them. Without it the few points of three or four sides are
-    /// control points
+    /// Degree of the patches; of three or four sides, the degree of the curves that are fitted to their points
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
     pub(crate) degree: Option<u16>,
-    /// The points of sides are control points, however many
+    /// The points of three or four sides are control points, however many
     #[arg(long, conflicts_with = "degree")]
     pub(crate) control_points: bool,
     /// Turn in degrees above which a polyline has a corner
@@ -133,13 +132,13 @@ pub(crate) struct FillArguments {
     /// Files of curves: OBJ lines or curves, a table of points (CSV), STEP, ASCII DXF; - for stdin
     #[arg(required = true, value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
-    /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu; toml for the experiment. May be given several times
+    /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu; toml for the experiment, json for its result. May be given several times
     #[arg(long, short, value_name = "OUT")]
     pub(crate) out: Vec<PathBuf>,
     /// Degree of the patches; by default 6, or that of the curves where it is higher
     #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
     pub(crate) degree: Option<u16>,
-    /// Turn in degrees above which a point is a corner
+    /// Turn in degrees above which a polyline has a corner
     #[arg(long, value_name = "DEG", default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
     pub(crate) corner_angle: f64,
     /// How far the rim may pass from samples (a length); by default 1e-4 of the size

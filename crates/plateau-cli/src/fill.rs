@@ -4,9 +4,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, read_curves};
-use experiment::{ImportError, ImportOptions};
+use experiment::{ImportError, ImportOptions, Options, Plan};
 use plateau::{AreaEnd, Fill, Film, MethodError, Way};
-use record::{Destination, ExportError};
+use record::{Destination, ExportError, ResultFile};
 
 use crate::command::{Failure, FillArguments, line, say};
 use crate::conversion::contents;
@@ -15,6 +15,8 @@ use crate::conversion::contents;
 enum Wanted {
     Surface(Format),
     Experiment,
+    /// What `run` makes of the experiment.
+    Result,
 }
 
 /// Fills, prints the figures, writes the files; one that is refused keeps none of the others back.
@@ -49,6 +51,7 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     figures(&film, &assembly, stdout)?;
     stdout.flush()?;
     let title = title(&arguments.files[0]);
+    let experiment = || experiment::import_assembly(&assembly, &title, &options, &notes);
     let mut sound = true;
     for (wanted, to) in &outputs {
         let written = match wanted {
@@ -57,8 +60,12 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
                     .map(|form| form.map(|form| form.description))
             }
             Wanted::Experiment => {
-                let text = experiment::import_assembly(&assembly, &title, &options, &notes)
-                    .map_err(|error| refuse(&error))?;
+                let text = experiment().map_err(|error| refuse(&error))?;
+                record::write_text(&text, to).map(|()| None).map_err(ExportError::from)
+            }
+            Wanted::Result => {
+                let text = experiment().map_err(|error| refuse(&error))?;
+                let text = result(&title, &text).map_err(|error| refuse(&*error))?;
                 record::write_text(&text, to).map(|()| None).map_err(ExportError::from)
             }
         };
@@ -74,6 +81,13 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     if sound { Ok(()) } else { Err(Failure::Result) }
 }
 
+/// The record of an experiment that is run.
+fn result(title: &str, text: &str) -> Result<String, Box<dyn std::error::Error>> {
+    let plan = Plan::parse(&format!("{title}.toml"), text)?;
+    let finished = experiment::run(&plan, Options::default(), &())?;
+    Ok(ResultFile::new(&plan, &finished).to_json()?)
+}
+
 /// A file to write: what its extension asks for, and its place, which is none of the files that are read.
 fn output(path: &Path, inputs: &[PathBuf]) -> Result<(Wanted, Destination), Failure> {
     let refuse = |why: String| {
@@ -85,11 +99,12 @@ fn output(path: &Path, inputs: &[PathBuf]) -> Result<(Wanted, Destination), Fail
     let wanted = match Format::of_extension(&extension) {
         Some(format) => Wanted::Surface(format),
         None if extension == "toml" => Wanted::Experiment,
+        None if extension == "json" => Wanted::Result,
         None => {
             let known: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
             let known = known.join(", ");
             return Err(refuse(format!(
-                "files are written by their extension: {known}, stp for a surface, toml for the experiment"
+                "files are written by their extension: {known}, stp for a surface, toml for the experiment, json for its result"
             )));
         }
     };
@@ -123,14 +138,9 @@ fn curves(files: &[PathBuf]) -> Result<CurveFile, Failure> {
 }
 
 fn spanned(frame: &Frame, arguments: &FillArguments) -> Result<Film, MethodError> {
-    let mut fill = Fill::default()
-        .with_corner_angle(arguments.corner_angle.to_radians())
-        .with_mesh(arguments.mesh.into());
+    let mut fill = Fill::default().with_mesh(arguments.mesh.into());
     if let Some(degree) = arguments.degree {
         fill = fill.with_degree(degree.into());
-    }
-    if let Some(tolerance) = arguments.tolerance {
-        fill = fill.with_rim_tolerance(tolerance);
     }
     match frame {
         Frame::Loops(loops) => fill.loops(loops, &()),

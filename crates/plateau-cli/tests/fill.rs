@@ -134,3 +134,46 @@ fn running_a_file_of_curves_says_what_fills_it() {
         assert_eq!(told, said, "{name}: {}", text(&run.stderr));
     }
 }
+
+#[test]
+fn an_experiment_that_was_made_of_curves_finds_what_was_filled() {
+    let folder = tempfile::tempdir().unwrap();
+    // Six sides, one of few samples that turn by up to 40 degrees: smooth by the rule of files and of experiments.
+    let arch: Vec<String> =
+        [(0, 0.), (2, 1.), (4, 2.), (6, 1.), (8, 0.)].iter().map(|(y, z)| format!("v 0 {y} {z}\n")).collect();
+    let rim = arch.concat() + "v 6 8 0\nv 9 4 3\nv 6 0 0\nl 1 2 3 4 5\nl 5 6\nl 6 7 8\nl 8 1\n";
+    fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();
+    fs::write(folder.path().join("rim.obj"), rim).unwrap();
+    let plateau = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_plateau"))
+            .args(arguments)
+            .current_dir(folder.path())
+            .output()
+            .unwrap()
+    };
+    for (file, options) in [
+        ("hexagon.obj", vec![]),
+        ("rim.obj", vec![]),
+        ("rim.obj", vec!["--corner-angle", "30", "--degree", "5"]),
+        ("rim.obj", vec!["--corner-angle", "60"]),
+    ] {
+        let out =
+            fill(folder.path(), &[vec![file, "-o", "x.toml", "-o", "x.json"], options.clone()].concat());
+        let filled = area(&out);
+        let import = plateau(&[vec!["import", file], options.clone()].concat());
+        let written = fs::read_to_string(folder.path().join("x.toml")).unwrap();
+        assert_eq!(text(&import.stdout), written, "{file} {options:?}: {}", text(&import.stderr));
+        let run = plateau(&["run", "x.toml", "--out", "out"]);
+        assert!(run.status.success(), "{}", text(&run.stderr));
+        let record = |path: &str| -> serde_json::Value {
+            serde_json::from_slice(&fs::read(folder.path().join(path)).unwrap()).unwrap()
+        };
+        let (run, told) = (record("out/x/result.json"), record("x.json"));
+        // Twelve digits are printed.
+        let ran = run["methods"][0]["area"].as_f64().unwrap();
+        assert!((ran / filled - 1.0).abs() < 1e-11, "{file} {options:?}: {ran} {filled}");
+        assert_eq!(run["methods"][0]["faces"], told["methods"][0]["faces"]);
+        let verified = plateau(&["verify", "x.json"]);
+        assert!(verified.status.success(), "{}{}", text(&verified.stdout), text(&verified.stderr));
+    }
+}

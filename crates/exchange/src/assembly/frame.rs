@@ -76,7 +76,7 @@ impl Assembly {
 
     fn curve(&self, side: usize, tolerance: f64) -> Result<BoundaryCurve, FrameError> {
         let side = &self.sides[side];
-        side.curve(tolerance).map_err(|error| FrameError::Curve {
+        side.curve(tolerance, self.corner_angle).map_err(|error| FrameError::Curve {
             side: side.name.clone(),
             line: side.line,
             error,

@@ -11,8 +11,8 @@ impl AssemblyOptions {
     /// Share of the size (the diagonal of the box around all curves) within which ends are welded: other programs write ends to few
     /// digits, or have them picked by hand. What is written for plateau itself is held to [`plateau::Loop::WELD`].
     pub const WELD: f64 = 1e-4;
-    /// Turn in degrees above which a polyline has a corner: a little less than that of a regular octagon.
-    pub const CORNER_ANGLE: f64 = 44.0;
+    /// Turn in degrees above which a polyline has a corner, as samples have wherever they come from.
+    pub const CORNER_ANGLE: f64 = surfaces::Samples::CORNER_DEGREES;
 }
 
 impl Default for AssemblyOptions {

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use surfaces::{BoundaryCurve, CurveError, Point, SplineCurve};
+use surfaces::{BoundaryCurve, CurveError, Point, Samples, SplineCurve};
 
 use super::network::Network;
 use crate::{CurveFile, Shape};
@@ -22,14 +22,17 @@ pub struct Side {
 
 impl Side {
     /// The side as the boundary of a surface: straight sides and splines as they are, polylines of more points as samples of a
-    /// smooth curve that passes each within `tolerance` (a length).
+    /// curve that passes each within `tolerance` (a length) and has corners where they turn by more than `corner_angle` (degrees).
     ///
     /// # Errors
     /// [`CurveError`], for a tolerance that is not positive.
-    pub fn curve(&self, tolerance: f64) -> Result<BoundaryCurve, CurveError> {
+    pub fn curve(&self, tolerance: f64, corner_angle: f64) -> Result<BoundaryCurve, CurveError> {
         match &self.shape {
             Shape::Polyline(points) if points.len() == 2 => BoundaryCurve::polyline(points.clone()),
-            Shape::Polyline(points) => BoundaryCurve::through(points.clone(), tolerance),
+            Shape::Polyline(points) => {
+                let samples = Samples::new(points.clone(), tolerance)?;
+                Ok(samples.with_corner_degrees(corner_angle).into())
+            }
             Shape::Spline(spline) => Ok(spline.clone().into()),
             Shape::Arc(arc) => Ok(arc.clone().into()),
         }

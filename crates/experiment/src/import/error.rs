@@ -22,7 +22,8 @@ pub enum ImportError {
     /// A side has many points, and nothing says what they are.
     #[error(
         "{side} has {count} points, and what they are has to be said: points on the curve, then `--degree 6` fits curves of degree 6 to \
-         the points of every side; or control points of a curve of degree {}, then `--control-points`",
+         the points of every side; or control points of a curve of degree {}, then `--control-points`; `plateau fill` spans points on curves \
+         as they are",
         count - 1
     )]
     Ask {

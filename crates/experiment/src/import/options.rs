@@ -20,6 +20,11 @@ impl ImportOptions {
     /// Share of the size (the diagonal of the box around all curves) by which curves may pass from samples.
     pub const TOLERANCE: f64 = 1e-4;
 
+    /// Whether something is said of the points of polylines.
+    pub(super) fn says_what_points_are(&self) -> bool {
+        self.degree.is_some() || self.control_points
+    }
+
     /// Whether the numbers are ones that may be given.
     ///
     /// # Errors

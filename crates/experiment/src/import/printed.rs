@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
-use exchange::{Assembly, Form, Shape, Side, Walk};
+use exchange::{Assembly, AssemblyOptions, Form, Shape, Side, Walk};
+use plateau::Fill;
 use surfaces::{EllipseArc, Point};
 
-use super::{ImportError, ImportOptions};
+use super::ImportOptions;
 
 /// The title, notes as comments, and the heading of the boundary.
 pub(super) fn head(title: &str, notes: &[&str]) -> String {
@@ -18,12 +19,7 @@ pub(super) fn head(title: &str, notes: &[&str]) -> String {
 }
 
 /// A boundary of loops or faces over curves.
-pub(super) fn assembly(
-    title: &str,
-    assembly: &Assembly,
-    options: &ImportOptions,
-    notes: &[&str],
-) -> Result<String, ImportError> {
+pub(super) fn assembly(title: &str, assembly: &Assembly, options: &ImportOptions, notes: &[&str]) -> String {
     let tolerance = options.tolerance.unwrap_or(ImportOptions::TOLERANCE * assembly.size);
     let mut text = head(title, notes);
     match &assembly.form {
@@ -39,7 +35,7 @@ pub(super) fn assembly(
             let [from, to] = ends.map(|vertex| quoted(&assembly.vertex_name(vertex)));
             let _ = writeln!(text, "ends = [{from}, {to}]");
         }
-        let _ = writeln!(text, "{}", curve(side, tolerance));
+        let _ = writeln!(text, "{}", curve(side, tolerance, assembly.corner_angle));
     }
     if let Form::Faces(faces) = &assembly.form {
         for walks in faces {
@@ -50,11 +46,15 @@ pub(super) fn assembly(
             let _ = write!(text, "\n[[face]]\nvertices = [{}]\n", corners.collect::<Vec<_>>().join(", "));
         }
     }
-    text += "\n[[method]]\nname = \"least area\"\nenergy = \"area\"\n";
+    let _ = write!(
+        text,
+        "\n[[method]]\nname = \"least area\"\nenergy = \"area\"\ntolerance = {:?}\n",
+        Fill::TOLERANCE
+    );
     if let Some(degree) = options.degree {
         let _ = writeln!(text, "degree = {degree}");
     }
-    Ok(text)
+    text
 }
 
 fn names(assembly: &Assembly, walks: &[Walk]) -> String {
@@ -65,13 +65,15 @@ fn names(assembly: &Assembly, walks: &[Walk]) -> String {
 }
 
 /// The line of a curve that says what it is.
-fn curve(side: &Side, tolerance: f64) -> String {
+fn curve(side: &Side, tolerance: f64, corner_angle: f64) -> String {
     if let Some(control) = side.control_points() {
         return format!("points = {}", points(control));
     }
     match &side.shape {
         Shape::Polyline(samples) => {
-            format!("through = {{ points = {}, tolerance = {tolerance:?} }}", points(samples))
+            let usual = corner_angle == AssemblyOptions::CORNER_ANGLE;
+            let corners = if usual { String::new() } else { format!(", corner-angle = {corner_angle:?}") };
+            format!("through = {{ points = {}, tolerance = {tolerance:?}{corners} }}", points(samples))
         }
         Shape::Spline(_) => spline(&side.shape),
         Shape::Arc(arc) => circle(arc).unwrap_or_else(|| spline(&side.shape)),

@@ -35,7 +35,8 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// Three or four polylines of a file, one side each, by name or chained by their ends; none for other files.
+    /// Three or four polylines of a file, one side each, by the names of sides of experiments or, where something is said of their
+    /// points, chained by their ends; none for other files.
     pub(super) fn of_file(file: &CurveFile, options: &ImportOptions) -> Result<Option<Self>, ImportError> {
         let Some(polylines) = polylines(file) else { return Ok(None) };
         let names = match polylines.len() {
@@ -43,6 +44,10 @@ impl Sides {
             4 => TENSOR.as_slice(),
             _ => return Ok(None),
         };
+        let is_there = |name: &str| polylines.iter().any(|(label, _)| *label == name);
+        if !(options.says_what_points_are() || names.iter().all(|(name, _)| is_there(name))) {
+            return Ok(None);
+        }
         // A polyline that is closed by itself is no side.
         if polylines
             .iter()
@@ -69,12 +74,13 @@ impl Sides {
         Ok(Some(sides))
     }
 
-    /// The sides of one loop of three or four: straight lines and Bézier curves as they are, others fitted where a degree is given; none
+    /// The sides of one loop of three or four where a degree is given: straight lines and Bézier curves as they are, others fitted; none
     /// for other boundaries.
     pub(super) fn of_assembly(
         assembly: &Assembly,
         options: &ImportOptions,
     ) -> Result<Option<Self>, ImportError> {
+        let Some(degree) = options.degree else { return Ok(None) };
         let Form::Loops(loops) = &assembly.form else { return Ok(None) };
         let [walks] = loops.as_slice() else { return Ok(None) };
         let names = match walks.len() {
@@ -86,7 +92,7 @@ impl Sides {
         let is_exact =
             |side: &exchange::Side| side.control_points().is_some_and(|points| points.len() <= MANY);
         let is_sampled = |side: &exchange::Side| matches!(side.shape, Shape::Polyline(_));
-        if !sides.iter().all(|side| is_exact(side) || (is_sampled(side) && options.degree.is_some())) {
+        if !sides.iter().all(|side| is_exact(side) || is_sampled(side)) {
             return Ok(None);
         }
         let curves = names.iter().zip(walks).map(|(&(name, forward), walk)| {
@@ -98,11 +104,9 @@ impl Sides {
             Curve { name, label: side.name.clone(), points, forward, comment: None }
         });
         let mut found = Self { curves: curves.collect(), size: assembly.size, welded: (0, 0.0) };
-        if let Some(degree) = options.degree {
-            for (curve, side) in found.curves.iter_mut().zip(&sides) {
-                if is_sampled(side) {
-                    curve.fit(degree, assembly.size)?;
-                }
+        for (curve, side) in found.curves.iter_mut().zip(&sides) {
+            if is_sampled(side) {
+                curve.fit(degree, assembly.size)?;
             }
         }
         found.level();

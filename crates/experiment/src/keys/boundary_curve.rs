@@ -102,10 +102,16 @@ pub(crate) mod through {
         "the largest distance by which the curve may miss a sample, a length; left out, a millionth of the size",
     )
     .such_as("1e-6");
+    pub(crate) static CORNER_ANGLE: Key<Interval> = Key::new(
+        "corner-angle",
+        Interval::between(1.0, 179.0),
+        "the turn of direction in degrees above which a sample is a corner",
+    )
+    .or("44");
 
     pub(crate) static SECTION: Section = Section {
-        doc: "a smooth curve through samples, with corners where they turn by more than 30°",
-        keys: &[&POINTS, &TOLERANCE],
+        doc: "a curve through samples, smooth but for corners where they turn sharply",
+        keys: &[&POINTS, &TOLERANCE, &CORNER_ANGLE],
         ways: Ways::Free,
     };
 }

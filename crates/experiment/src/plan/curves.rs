@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use serde_spanned::Spanned;
-use surfaces::{BoundaryCurve, CurveError, EllipseArc, Point};
+use surfaces::{BoundaryCurve, CurveError, EllipseArc, Point, Samples};
 
 use crate::diagnostic::{Diagnostic, Fault, shorten};
 use crate::keys::boundary_curve::{
@@ -191,12 +191,15 @@ impl<'a, 't> Draft<'a, 't> {
     fn through(&self, is_closed: bool) -> Option<BoundaryCurve> {
         let table = self.through.value()?;
         let list = table.require(&through::POINTS);
-        let tolerance = table.take(&through::TOLERANCE).known()?;
+        let tolerance = table.take(&through::TOLERANCE).known();
+        let corner_angle = table.take_or_default(&through::CORNER_ANGLE)?;
+        let tolerance = tolerance?;
         let (samples, place) = (points(list.as_ref()?.get_ref()), list?.span());
         let tolerance = tolerance.map_or_else(|| TOLERANCE * surfaces::extent(&samples), Spanned::into_inner);
         let samples = closed(samples, is_closed);
         // All samples in one place have no size, which is what is wrong with them.
-        let made = BoundaryCurve::through(samples, tolerance.max(f64::MIN_POSITIVE));
+        let made = Samples::new(samples, tolerance.max(f64::MIN_POSITIVE));
+        let made = made.map(|samples| samples.with_corner_degrees(corner_angle).into());
         self.unless(made, |_| Some(place))
     }
 

@@ -185,7 +185,7 @@ impl CurveGraph {
         let mut all = Vec::with_capacity(self.curves.len());
         for (curve, GraphCurve { ends, curve: given }) in self.curves.iter().enumerate() {
             let mut pieces: Vec<Bezier> = Vec::new();
-            for part in parts(given, cutting.corner_angle, false) {
+            for part in parts(given, false) {
                 let fit = part
                     .fit(cutting.degree, cutting.tolerance)
                     .map_err(|error| CuttingError::Curve { curve, error })?;

@@ -44,7 +44,7 @@ pub struct Cutting {
 }
 
 impl Cutting {
-    /// The turn of a direction, in radians, above which a point is a corner unless something else is said: 30°.
+    /// The turn of a direction, in radians, above which curves meet in a corner unless something else is said: 30°.
     pub const CORNER_ANGLE: f64 = PI / 6.0;
 
     /// Patches of degree `degree`, whose rims may deviate from the curves by `tolerance` (a length) where they cannot be
@@ -63,8 +63,8 @@ impl Cutting {
         Ok(Self { degree, tolerance, corner_angle: Self::CORNER_ANGLE, way: None })
     }
 
-    /// Corners are points where the direction turns by more than `angle` (radians, between 0 and π; what lies outside is
-    /// taken to the nearer end).
+    /// Curves meet in a corner where the direction turns by more than `angle` (radians, between 0 and π; what lies outside is
+    /// taken to the nearer end). What is a corner among samples is theirs: [`surfaces::Samples::with_corner_degrees`].
     #[must_use]
     pub fn with_corner_angle(mut self, angle: f64) -> Self {
         self.corner_angle = if angle.is_nan() { Self::CORNER_ANGLE } else { angle.clamp(0.0, PI) };

@@ -22,7 +22,7 @@ impl Rim {
         let (mut pieces, mut deviation): (Vec<Bezier>, _) = (Vec::new(), Deviation::default());
         for (curve, given) in around.curves().iter().enumerate() {
             let mut begins = true;
-            for part in parts(given, cutting.corner_angle, around.curves().len() == 1) {
+            for part in parts(given, around.curves().len() == 1) {
                 let fit = part
                     .fit(cutting.degree, cutting.tolerance)
                     .map_err(|error| CuttingError::Curve { curve, error })?;
@@ -178,12 +178,12 @@ fn inside(before: Point, after: Point, normal: Option<Point>) -> f64 {
 
 /// Samples between corners, any other curve as it is. A closed curve that is a loop of its own begins at a corner, if it
 /// has one.
-pub(super) fn parts(curve: &BoundaryCurve, corner_angle: f64, is_alone: bool) -> Vec<BoundaryCurve> {
+pub(super) fn parts(curve: &BoundaryCurve, is_alone: bool) -> Vec<BoundaryCurve> {
     let BoundaryCurve::Through(samples) = curve else { return vec![curve.clone()] };
     let mut points = samples.points().to_vec();
     let last = points.len() - 1;
     let is_ring = is_alone && points[0] == points[last];
-    let mut cuts = corners_of(&points, samples.tolerance(), corner_angle, is_ring);
+    let mut cuts = corners_of(&points, samples, is_ring);
     if is_ring && let Some(&first) = cuts.first() {
         points.pop();
         points.rotate_left(first);
@@ -199,11 +199,11 @@ pub(super) fn parts(curve: &BoundaryCurve, corner_angle: f64, is_alone: bool) ->
     cuts.windows(2).filter_map(|ends| part(ends).ok()).collect()
 }
 
-/// The samples where the chain turns by more than `corner_angle`, seen from the nearest ones that the tolerance can tell
+/// The samples where the chain turns by more than they admit, seen from the nearest ones that the tolerance can tell
 /// from it; 0 among them only in a ring.
-fn corners_of(points: &[Point], tolerance: f64, corner_angle: f64, is_ring: bool) -> Vec<usize> {
+fn corners_of(points: &[Point], samples: &Samples, is_ring: bool) -> Vec<usize> {
     let last = points.len() - 1;
-    let near = 10.0 * tolerance;
+    let near = 10.0 * samples.tolerance();
     let turn = |k: usize| {
         let far = |j: &usize| points[*j].distance(points[k]) > near;
         let before =
@@ -216,5 +216,7 @@ fn corners_of(points: &[Point], tolerance: f64, corner_angle: f64, is_ring: bool
         }
     };
     let first = usize::from(!is_ring);
-    (first..last).filter(|&k| turn(k) > corner_angle).collect()
+    // Regular polygons with exactly this turn are smooth whatever rounding does.
+    let least = samples.corner_degrees().to_radians() * (1.0 + 1e-6);
+    (first..last).filter(|&k| turn(k) > least).collect()
 }

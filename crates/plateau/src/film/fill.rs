@@ -51,13 +51,13 @@ enum Meshing {
 }
 
 impl Default for Fill {
-    /// The least area in patches of degree 6, or that of the curves where it is higher, to 1e-9 of itself; curves that cannot be
+    /// The least area in patches of degree 6, or that of the curves where it is higher, to [`Self::TOLERANCE`] of itself; curves that cannot be
     /// met exactly to 1e-6 of the size.
     fn default() -> Self {
         Self {
             degree: None,
             energy: FillEnergy::Area,
-            tolerance: 1e-9,
+            tolerance: Self::TOLERANCE,
             rim_tolerance: None,
             corner_angle: Cutting::CORNER_ANGLE,
             way: None,
@@ -70,6 +70,9 @@ impl Default for Fill {
 const PINCHING: f64 = 0.2;
 
 impl Fill {
+    /// The relative decrease of the area that counts as none.
+    pub const TOLERANCE: f64 = 1e-9;
+
     /// Share of the size of the boundary by which its rim may deviate from curves that cannot be met exactly.
     pub const RIM_TOLERANCE: f64 = 1e-6;
 
@@ -101,7 +104,7 @@ impl Fill {
         self
     }
 
-    /// The turn of direction in radians above which a point is a corner.
+    /// The turn of direction in radians above which curves meet in a corner; samples have their own.
     #[must_use]
     pub fn with_corner_angle(mut self, angle: f64) -> Self {
         self.corner_angle = angle;
