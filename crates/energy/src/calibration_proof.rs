@@ -34,7 +34,7 @@ const DEEPEST: usize = 6;
 const INVERSE_DEGREE: usize = 10;
 
 /// A face is cut further while the integrand times that polynomial is further from 1 than this: the bound loses 3/8 of its square.
-const LOOSE: f64 = 3e-6;
+const LOOSE: f64 = 3e-7;
 
 /// A lower bound of the area of every graph over the region below `complex` in `plane` with its rim, by the potential ψ of degree
 /// `degree` with the coefficients `psi` (see [`Calibration`](crate::Calibration)). *Proved*, that is: true of the control points as given,

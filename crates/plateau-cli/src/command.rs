@@ -138,6 +138,9 @@ pub(crate) struct FillArguments {
     /// Degree of the patches; by default 6, or that of the curves where it is higher
     #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
     pub(crate) degree: Option<u16>,
+    /// Prove a lower bound of the area, where the rim bounds a graph over a plane
+    #[arg(long)]
+    pub(crate) bound: bool,
     /// Turn in degrees above which a polyline has a corner
     #[arg(long, value_name = "DEG", default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
     pub(crate) corner_angle: f64,

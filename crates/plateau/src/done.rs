@@ -3,8 +3,8 @@
 use surfaces::Patch;
 
 use crate::{
-    BoundaryFigures, ClosedForm, Context, Family, Figures, FilmFigures, MethodError, Search, Solved, Surface,
-    Warning, trust,
+    BoundaryFigures, ClosedForm, Context, Family, Figures, FilmFigures, LowerBound, MethodError, Search,
+    Solved, Surface, Warning, trust,
 };
 
 /// A method that found its patch.
@@ -23,6 +23,8 @@ pub struct Done {
     pub closed_form: Option<ClosedForm>,
     /// How its patches lie, for surfaces over loops and faces.
     pub film: Option<FilmFigures>,
+    /// An area that no surface, or no graph, with the same rim is below, where it was asked for and proved.
+    pub bound: Option<LowerBound>,
     /// What a reader must know about this method.
     pub warnings: Vec<Warning>,
 }
@@ -63,6 +65,6 @@ impl Done {
         let solved =
             Solved { surface, family, minimised: None, shape: None, solve: None, area: None, search: None };
         let warnings = trust::warnings(&solved, &figures, &Search::default());
-        Ok(Self { solved, mesh, figures, boundary, closed_form: None, film: None, warnings })
+        Ok(Self { solved, mesh, figures, boundary, closed_form: None, film: None, bound: None, warnings })
     }
 }

@@ -86,11 +86,11 @@ pub use film_figures::FilmFigures;
 pub use helicoid::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium};
 pub use keeper::Keeper;
 pub use least_area::{
-    AreaEnd, AreaExtremal, Stage, Start, ValleyEnd, dirichlet_complex, least_area, least_area_complex,
-    least_area_from, least_area_raised, least_area_triangle, least_area_triangle_from,
-    least_area_triangle_raised,
+    AreaEnd, AreaEstimate, AreaExtremal, NoEstimate, Stage, Start, ValleyEnd, dirichlet_complex,
+    estimate_complex, estimate_net, estimate_triangle, least_area, least_area_complex, least_area_from,
+    least_area_raised, least_area_triangle, least_area_triangle_from, least_area_triangle_raised,
 };
-pub use lower_bound::{Competitors, LowerBound, NoBound, lower_bound};
+pub use lower_bound::{CalibratedFace, Competitors, LowerBound, NoBound, lower_bound, lower_bound_of_net};
 pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};
 pub use outcome::{MethodResult, Results};
 pub use progress::Progress;

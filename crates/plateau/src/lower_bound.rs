@@ -1,9 +1,11 @@
 //! How small the area can be at all: a proved lower bound over every surface with the rim, by a calibration.
 
-use bases::Matrix;
+use bases::{GaussLegendre, Matrix};
 use energy::{Calibration, EnergyError, Plane, Unproved, certify};
 use solve::{SolveError, solve_spd};
-use surfaces::{Complex, Point, Side};
+use surfaces::{
+    Bezier, Complex, ComplexError, Edge, Face, FixedEdge, Net, Point, Side, SurfaceError, Vertex,
+};
 use thiserror::Error;
 
 /// A lower bound of area, with what proves it.
@@ -16,10 +18,18 @@ pub struct LowerBound {
     pub competitors: Competitors,
     /// The plane over which the surface is a graph.
     pub plane: Plane,
-    /// Degree of the potential on each face.
-    pub degree: usize,
-    /// The coefficients of the potential, one for each control point of the complex raised to `degree`.
-    pub potential: Vec<f64>,
+    /// The region below the rim, cut into faces, with the potential on each. Faces that share an edge have the control points and
+    /// the coefficients along it in common.
+    pub faces: Vec<CalibratedFace>,
+}
+
+/// A part of the region below a rim, and the potential on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalibratedFace {
+    /// Control points `P_ij` of a patch whose projection to the plane parametrises the part; on the rim they are those of the rim.
+    pub net: Vec<Vec<Point>>,
+    /// Bernstein coefficients of the potential in the same parameters.
+    pub potential: Vec<Vec<f64>>,
 }
 
 /// The surfaces that a bound holds for.
@@ -68,34 +78,98 @@ pub enum NoBound {
     /// The systems could not be solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
+    /// A net that is no face of a complex.
+    #[error(transparent)]
+    Net(#[from] SurfaceError),
+}
+
+impl From<ComplexError> for NoBound {
+    fn from(error: ComplexError) -> Self {
+        Self::Energy(error.into())
+    }
 }
 
 /// By how much the degree of the potential exceeds that of the surface: with the same degree the gap is a thousand times larger.
 const HIGHER: usize = 3;
 
+/// The degree of the potential is not made larger than this where that of the rim is not: in Bernstein form the systems lose four
+/// fifths of a digit a degree.
+const HIGHEST: usize = 12;
+
 /// Most coefficients of a potential: a dense system of this order takes seconds.
 const MOST_UNKNOWNS: usize = 2500;
 
-/// Newton steps: convergence is quadratic.
-const STEPS: usize = 12;
+/// Newton steps at most, and halvings of one: convergence is quadratic once near.
+const STEPS: usize = 40;
+const HALVINGS: i32 = 20;
+
+/// Share of the diagonal that is added to a matrix which is singular to working precision: it slows the steps, and harms no bound.
+const REGULAR: f64 = 1e-12;
 
 /// What the potential is shrunk by, one after the other, until its rise is shown to be at most 1.
 const SHRINKING: [f64; 6] = [0.0, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5];
 
-/// A lower bound of the area of every surface with the rim of `complex`, where that is a graph over a plane, which is looked for. The
-/// closer the complex is to the surface of least area, the closer the bound is to the least area.
+/// A lower bound of the area of every surface with the rim of `complex`, where that bounds a graph over a plane, which is looked for.
+/// The higher the degree of the complex, the closer the bound is to the least area.
 ///
-/// For every continuous ψ with |∇ψ| ≤ 1 over the region Ω below the surface, `A ≥ ∮ z dψ + ∫_Ω √(1 − |∇ψ|²)`; ψ is taken of degree
-/// p + 3 on the faces, from the least-squares fit to the flux of the surface by Newton's method.
+/// For every continuous ψ with |∇ψ| ≤ 1 over the region Ω below the rim, `A ≥ ∮ z dψ + ∫_Ω √(1 − |∇ψ|²)`; ψ is taken of degree
+/// p + 3, at most 12 or p, on the faces, from the least-squares fit to the flux of the Coons surface by Newton's method. The faces
+/// are those of the Coons surface over the rim, or of the surface itself where the projection of that turns over.
 ///
 /// # Errors
 /// [`NoBound`] says why there is none.
 pub fn lower_bound(complex: &Complex) -> Result<LowerBound, NoBound> {
+    let degree = (complex.degree() + HIGHER).min(HIGHEST).max(complex.degree());
+    of_first([coons(complex), Ok(complex.clone())], degree)
+}
+
+/// As [`lower_bound`], of surfaces with the border of the Bernstein–Bézier patch on `border`, whose inner points play no part;
+/// `surface` is the net of a surface near the least area.
+///
+/// # Errors
+/// [`NoBound`] says why there is none.
+pub fn lower_bound_of_net(border: &Net, surface: &Net) -> Result<LowerBound, NoBound> {
+    let degree_of = |net: &Net| net.degrees().0.max(net.degrees().1);
+    let degree = (degree_of(surface) + HIGHER).min(HIGHEST).max(degree_of(surface));
+    let with_inside = one_face(surface).and_then(|(complex, net)| {
+        let mut points = complex.points().to_vec();
+        for (&node, &point) in complex.faces()[0].nodes().iter().zip(net.points()) {
+            points[node] = point;
+        }
+        Ok(complex.with_points(points)?)
+    });
+    let mut bound = of_first([one_face(border).map(|(complex, _)| complex), with_inside], degree)?;
+    // The border is that of the net but for the rounding of its raising, which moves the area by no more than what it sweeps.
+    let raised = (degree_of(surface) - border.degrees().0.min(border.degrees().1)) as f64;
+    let reach = border.points().iter().map(|p| p.norm()).fold(0.0, f64::max);
+    let length: f64 =
+        border.boundary().iter().flat_map(|side| side.windows(2)).map(|ends| ends[0].distance(ends[1])).sum();
+    bound.value -= 8.0 * raised * f64::EPSILON * reach * length;
+    Ok(bound)
+}
+
+/// The bound over the first of several surfaces with the same rim that gives one, by a potential of a degree.
+fn of_first<const N: usize>(
+    surfaces: [Result<Complex, NoBound>; N],
+    degree: usize,
+) -> Result<LowerBound, NoBound> {
+    let mut why = NoBound::NoGraph;
+    for surface in surfaces {
+        match surface.and_then(|surface| of_faces(&surface, degree)) {
+            Ok(bound) => return Ok(bound),
+            Err(error) => why = error,
+        }
+    }
+    Err(why)
+}
+
+/// The bound by a potential of a degree on the faces of a complex.
+fn of_faces(complex: &Complex, degree: usize) -> Result<LowerBound, NoBound> {
     if complex.edges().iter().any(|edge| edge.uses().len() > 2) {
         return Err(NoBound::FilmsMeet);
     }
-    let degree = complex.degree() + HIGHER;
-    let unknowns = complex.with_degree(degree).map_err(EnergyError::from)?.points().len();
+    let raised = complex.with_degree(degree)?;
+    let unknowns = raised.points().len();
     if unknowns > MOST_UNKNOWNS {
         return Err(NoBound::TooLarge { unknowns, max: MOST_UNKNOWNS });
     }
@@ -109,7 +183,12 @@ pub fn lower_bound(complex: &Complex) -> Result<LowerBound, NoBound> {
             Ok(value) => {
                 let competitors =
                     if is_convex(complex, &plane) { Competitors::Surfaces } else { Competitors::Graphs };
-                return Ok(LowerBound { value, competitors, plane, degree, potential });
+                let face = |(own, fine): (&Face, &Face)| CalibratedFace {
+                    net: rows(own, |k| complex.points()[k]),
+                    potential: rows(fine, |k| potential[k]),
+                };
+                let faces = complex.faces().iter().zip(raised.faces()).map(face).collect();
+                return Ok(LowerBound { value, competitors, plane, faces });
             }
             Err(why @ Unproved::Steep { .. }) => last = Some(why),
             Err(why) => return Err(why.into()),
@@ -118,17 +197,57 @@ pub fn lower_bound(complex: &Complex) -> Result<LowerBound, NoBound> {
     Err(last.map_or(NoBound::NoGraph, NoBound::from))
 }
 
-/// A plane to which every normal of the surface leans, with its normal on their side; none if there is none. The normals' mean is
-/// turned towards the one furthest from it until all are on its side.
+/// What stands at the nodes of a face, row by row.
+fn rows<T>(face: &Face, at: impl Fn(usize) -> T) -> Vec<Vec<T>> {
+    let side = (face.nodes().len() as f64).sqrt().round() as usize;
+    face.nodes().chunks_exact(side).map(|row| row.iter().map(|&k| at(k)).collect()).collect()
+}
+
+/// The Coons surface with the faces, edges and rim of a complex.
+fn coons(complex: &Complex) -> Result<Complex, NoBound> {
+    let of =
+        |k: usize| if complex.fixed()[k] { Vertex::Fixed(complex.points()[k]) } else { Vertex::Free(None) };
+    let vertices: Vec<Vertex> = (0..complex.vertices()).map(of).collect();
+    let faces: Vec<[usize; 4]> = complex.faces().iter().map(Face::vertices).collect();
+    let fixed = |(number, edge): (usize, &Edge)| {
+        edge.is_fixed().then(|| FixedEdge { ends: edge.ends(), curve: complex.edge_curve(number) })
+    };
+    let edges: Vec<FixedEdge> = complex.edges().iter().enumerate().filter_map(fixed).collect();
+    Ok(Complex::new(complex.degree(), &vertices, &faces, &edges)?)
+}
+
+/// The Coons patch over the border of a net as a complex of one face, and the net with its lower degree raised to the other.
+fn one_face(net: &Net) -> Result<(Complex, Net), NoBound> {
+    let (m, n) = net.degrees();
+    let degree = m.max(n);
+    let raised = |points: Vec<Point>| Bezier::new(points).map(|curve| curve.raised(degree));
+    let rows: Vec<Bezier> =
+        (0..=m).map(|i| raised((0..=n).map(|j| net.point(i, j)).collect())).collect::<Result<_, _>>()?;
+    let column = |j: usize| raised(rows.iter().map(|row| row.points()[j]).collect());
+    let columns: Vec<Bezier> = (0..=degree).map(column).collect::<Result<_, _>>()?;
+    let points = (0..=degree).flat_map(|i| columns.iter().map(move |column| column.points()[i])).collect();
+    let net = Net::new(degree + 1, degree + 1, points)?;
+    let corners = [(0, 0), (degree, 0), (degree, degree), (0, degree)].map(|(i, j)| net.point(i, j));
+    let [u0, u1, v0, v1] = net.boundary();
+    let edges: Vec<FixedEdge> = [([0, 1], v0), ([1, 2], u1), ([3, 2], v1), ([0, 3], u0)]
+        .into_iter()
+        .map(|(ends, points)| Ok(FixedEdge { ends, curve: Bezier::new(points)? }))
+        .collect::<Result<_, SurfaceError>>()?;
+    let complex = Complex::new(degree, &corners.map(Vertex::Fixed), &[[0, 1, 2, 3]], &edges)?;
+    Ok((complex, net))
+}
+
+/// A plane to which every normal of the surface leans, with its normal on their side; none if there is none. That across the mean
+/// of the normals, which the rim determines, is turned towards the one furthest from it until all are on its side.
 fn plane(complex: &Complex) -> Result<Option<Plane>, NoBound> {
     let mut normals = Vec::new();
     let samples = complex.degree() + 2;
     for face in 0..complex.faces().len() {
-        let patch = complex.patch(face).map_err(EnergyError::from)?;
+        let patch = complex.patch(face)?;
         let at: Vec<f64> = (0..=samples).map(|k| k as f64 / samples as f64).collect();
         normals.extend(surfaces::Patch::jets(&patch, &at, &at).iter().map(|jet| jet.u.cross(jet.v)));
     }
-    let mut sum = normals.iter().fold(Point::ZERO, |sum, &normal| sum + normal);
+    let mut sum = area_vector(complex)?;
     let directions: Vec<Point> = normals.into_iter().filter_map(Point::unit).collect();
     let centre =
         complex.points().iter().fold(Point::ZERO, |sum, &p| sum + p) * (1.0 / complex.points().len() as f64);
@@ -146,6 +265,23 @@ fn plane(complex: &Complex) -> Result<Option<Plane>, NoBound> {
     Ok(None)
 }
 
+/// Twice `∫ N dA = ½ ∮ x × dx`, which only the rim decides.
+fn area_vector(complex: &Complex) -> Result<Point, NoBound> {
+    let rule = GaussLegendre::new(complex.degree()).map_err(EnergyError::from)?.on(0.0, 1.0);
+    let origin = complex.points()[0];
+    let mut sum = Point::ZERO;
+    for (number, edge) in complex.edges().iter().enumerate() {
+        let [only] = edge.uses() else { continue };
+        let curve = complex.edge_curve(number);
+        let backwards = only.reversed == only.side.runs_round();
+        for (t, weight) in rule.iter() {
+            let swept = (curve.point(t) - origin).cross(curve.derivative(t)) * weight;
+            sum = if backwards { sum - swept } else { sum + swept };
+        }
+    }
+    Ok(sum)
+}
+
 /// The best potential of a calibration.
 fn potential(calibration: &Calibration) -> Result<Vec<f64>, NoBound> {
     let (matrix, rhs) = calibration.fit();
@@ -159,7 +295,7 @@ fn potential(calibration: &Calibration) -> Result<Vec<f64>, NoBound> {
     for _ in 0..STEPS {
         let (gradient, hessian) = calibration.derivatives(&psi);
         let step = solved(&hessian, &gradient)?;
-        let risen = [1.0, 0.5, 0.25, 0.1, 0.01].into_iter().find_map(|length| {
+        let risen = (0..HALVINGS).map(|k| 0.5f64.powi(k)).find_map(|length| {
             let next: Vec<f64> = psi.iter().zip(&step).map(|(c, s)| c + length * s).collect();
             calibration.value(&next).filter(|&reached| reached > value).map(|reached| (next, reached))
         });
@@ -176,8 +312,14 @@ fn potential(calibration: &Calibration) -> Result<Vec<f64>, NoBound> {
 /// The solution whose first coefficient is 0: constants are the kernel of both matrices.
 fn solved(matrix: &Matrix, rhs: &[f64]) -> Result<Vec<f64>, SolveError> {
     let n = rhs.len() - 1;
-    let reduced: Vec<f64> = (1..=n).flat_map(|i| matrix.row(i)[1..].to_vec()).collect();
-    let solution = solve_spd(n, &reduced, 1, &rhs[1..])?;
+    let mut reduced: Vec<f64> = (1..=n).flat_map(|i| matrix.row(i)[1..].to_vec()).collect();
+    let solution = match solve_spd(n, &reduced, 1, &rhs[1..]) {
+        Err(SolveError::NotPositiveDefinite { .. }) => {
+            reduced.iter_mut().step_by(n + 1).for_each(|d| *d *= 1.0 + REGULAR);
+            solve_spd(n, &reduced, 1, &rhs[1..])?
+        }
+        solution => solution?,
+    };
     Ok(std::iter::once(0.0).chain(solution.x).collect())
 }
 

@@ -30,6 +30,8 @@ pub struct Method {
     pub domain: ReferenceTriangle,
     /// For [`Energy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
     pub tolerance: f64,
+    /// For [`Energy::Area`] in the Bernstein basis over a tensor boundary: whether a lower bound is to be proved.
+    pub bound: bool,
 }
 
 /// The kind of patch.

@@ -6,7 +6,8 @@ use crate::interior::{boundary_net, construct, extremal, triangle, with_shape};
 use crate::search::search;
 use crate::{
     AreaExtremal, Basis, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Method,
-    MethodError, Patch, Shape, Solved, Surface, least_area_from, least_area_raised, memory, trust,
+    MethodError, Patch, Shape, Solved, Surface, Warning, least_area_from, least_area_raised,
+    lower_bound_of_net, memory, trust,
 };
 
 /// A surface that loses more than this share of its size to cancellation is not one.
@@ -27,6 +28,7 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         limit.admits(boundary.degrees(), method.raise)?;
     }
     memory::holds(memory::of_method(method, boundary.degrees()))?;
+    let given = boundary;
     let (boundary, origin) = boundary.anchored();
     let near = |solved: &&Solved| {
         Ok(Solved { surface: solved.surface.clone().moved(-origin)?, ..(*solved).clone() })
@@ -48,10 +50,17 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
         Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
     };
-    let warnings = trust::warnings(&solved, &figures, &context.search);
+    let mut warnings = trust::warnings(&solved, &figures, &context.search);
     solved.surface = solved.surface.moved(origin)?;
     mesh.points.iter_mut().for_each(|p| *p += origin);
-    Ok(Done { solved, mesh, figures, boundary, closed_form: None, film: None, warnings })
+    let bound = match &solved.surface {
+        Surface::Tensor(patch) if method.bound => {
+            let bound = lower_bound_of_net(&boundary_net(given)?, patch.net());
+            bound.map_err(|why| warnings.push(Warning::NoBound(why))).ok()
+        }
+        Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
+    };
+    Ok(Done { solved, mesh, figures, boundary, closed_form: None, film: None, bound, warnings })
 }
 
 /// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.

@@ -1,11 +1,14 @@
 use thiserror::Error;
 
-use crate::{AreaEnd, Degeneracy};
+use crate::{AreaEnd, Degeneracy, NoBound};
 
 /// What a reader must know before trusting a surface or its figures; shown as one sentence.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
+    /// A lower bound was asked for and not proved.
+    #[error("no lower bound of the area: {0}")]
+    NoBound(NoBound),
     /// Ends of sides that differed were made one point.
     #[error(
         "corners of the boundary differed by up to {distance:.1e}, {share:.0e} of its size, and were made one point each"
@@ -291,7 +294,7 @@ impl Warning {
             }
             // Its own sentence says what to do.
             Self::BoxBinds { .. } | Self::Degenerate(_) | Self::CurveNearBound { .. } => None,
-            Self::Welded { .. } | Self::LeftOut { .. } | Self::SpanCut { .. } => None,
+            Self::NoBound(_) | Self::Welded { .. } | Self::LeftOut { .. } | Self::SpanCut { .. } => None,
             Self::SpanNearBound { .. } => Some("shorten the interval, or lengthen it: then it is cut"),
             Self::CurveSingular { .. } => Some("leave out these samples"),
             Self::LengthUnsettled { .. } => Some("cut the curve at the cusp"),

@@ -12,10 +12,12 @@ use plateau::{SearchOutcome, SearchRun, Surface};
 mod curve;
 mod net;
 mod pieces;
+mod proof;
 
 use curve::CurveEntry;
 use net::rows;
 use pieces::{DomainEntry, PieceEntry, piece_entries, single_net};
+use proof::ProofEntry;
 
 /// The whole file. Numbers are written with all their digits; keys without a meaning are left out, and no number
 /// that is not finite ever appears.
@@ -134,6 +136,9 @@ struct DoneEntry {
     /// What the least area is proved not to be below.
     #[serde(skip_serializing_if = "Option::is_none")]
     lower_bound: Option<f64>,
+    /// What proves it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lower_bound_proof: Option<ProofEntry>,
     /// The area of the loops when each is spanned by itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     spanned_one_by_one: Option<f64>,
@@ -451,7 +456,8 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             None => done.solved.area.map(|found| found.jacobian_ratio).and_then(finite),
         },
         area_estimate: None,
-        lower_bound: None,
+        lower_bound: done.bound.as_ref().map(|bound| bound.value),
+        lower_bound_proof: done.bound.as_ref().map(ProofEntry::new),
         spanned_one_by_one: film.and_then(|film| film.one_by_one).and_then(finite),
         harmonic_bound: value(Quantity::HarmonicBound),
         harmonic_bound_error: error(Quantity::HarmonicBound),

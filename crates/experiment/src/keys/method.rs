@@ -7,7 +7,8 @@ use serde_json::{Map, Value as Json, json};
 
 use super::expect;
 use crate::text::{
-    Form, Inner, Interval, Key, Kind, Name, OneOrSeveral, Place, Reals, Section, Text, Value, Ways, Whole,
+    Flag, Form, Inner, Interval, Key, Kind, Name, OneOrSeveral, Place, Reals, Section, Text, Value, Ways,
+    Whole,
 };
 
 static ENERGIES: [(&str, Energy); 5] = [
@@ -221,6 +222,13 @@ pub(crate) static LAYERS: Key<Whole<usize>> =
     Key::new("layers", Whole::between(0, 1), "the number of graded layers of patches at the corners")
         .or("0")
         .over(&[LOOPS]);
+pub(crate) static BOUND: Key<Flag> = Key::new(
+    "bound",
+    Flag,
+    "whether a lower bound of the area is proved, where the rim bounds a graph over a plane; for energy = \"area\" in the Bernstein basis",
+)
+.or("false")
+.over(&[TENSOR, LOOPS]);
 pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
 pub(crate) static PUBLISHED: Key<OneOrSeveral> =
     Key::table("published", OneOrSeveral { one: &expect::PUBLISHED, several: &expect::PUBLISHED });
@@ -244,6 +252,7 @@ pub(crate) static SECTION: Section = Section {
         &TOLERANCE,
         &DEGREE,
         &LAYERS,
+        &BOUND,
         &EXPECT,
         &PUBLISHED,
     ],

@@ -7,7 +7,7 @@ use plateau::{CurveGraph, Energy, FillEnergy, Loop};
 use super::Wanted;
 use super::expected::check::{Subject, wanted_of};
 use super::method::{Named, has_only_keys_over};
-use crate::keys::method::{DEGREE, ENERGY, LAYERS, LOOPS, TOLERANCE};
+use crate::keys::method::{BOUND, DEGREE, ENERGY, LAYERS, LOOPS, TOLERANCE};
 use crate::text::{Given, Table};
 
 /// Surfaces over loops or faces: one row of the table per method.
@@ -39,6 +39,8 @@ pub struct FilmMethod {
     pub degree: Option<usize>,
     /// For [`FillEnergy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
     pub tolerance: f64,
+    /// Whether a lower bound is to be proved; only for [`FillEnergy::Area`].
+    pub bound: bool,
 }
 
 /// Checks every method over loops or faces, whose heading is at `header`.
@@ -59,17 +61,21 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
     let tolerance_given = table.take(&TOLERANCE);
     let energy = energy(table, &table.take(&ENERGY));
     let tolerance = table.or_default(&TOLERANCE, &tolerance_given);
-    let fits = match (tolerance_given.span(), energy) {
+    let bound_given = table.take(&BOUND);
+    let bound = table.or_default(&BOUND, &bound_given);
+    let only_of_areas = |key: &str, span: Option<Range<usize>>| match (span, energy) {
         (Some(span), Some(FillEnergy::Dirichlet)) => {
             table.faults().clash(
                 (span, "needs energy = \"area\""),
-                format!("{} has a `tolerance`, but does not minimise the area", table.name()),
+                format!("{} has a `{key}`, but does not minimise the area", table.name()),
                 "leave it out, or write energy = \"area\"",
             );
             false
         }
         (Some(_) | None, _) => true,
     };
+    let fits = only_of_areas("tolerance", tolerance_given.span())
+        & only_of_areas("bound", bound_given.span().filter(|_| bound == Some(true)));
     let wanted = wanted_of(table, Some(Subject::Film));
     layers?;
     let method = FilmMethod {
@@ -77,6 +83,7 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
         energy: energy?,
         degree: degree?.map(|degree| degree.into_inner()),
         tolerance: tolerance?,
+        bound: bound?,
     };
     fits.then_some((method, wanted?))
 }

@@ -13,8 +13,8 @@ use super::boundary::{Kind, Sides};
 use super::expected::check::{Subject, wanted_of};
 use crate::diagnostic::shorten;
 use crate::keys::method::{
-    BASIS, CONSTRUCTION, DOMAIN, ENERGY, MASK, METRIC_STEPS, NAME, PATCH, RAISE, SEARCH, SEARCH_ENERGY,
-    SHAPE, SOLVER, TENSOR, TOLERANCE, TRIANGLE,
+    BASIS, BOUND, CONSTRUCTION, DOMAIN, ENERGY, MASK, METRIC_STEPS, NAME, PATCH, RAISE, SEARCH,
+    SEARCH_ENERGY, SHAPE, SOLVER, TENSOR, TOLERANCE, TRIANGLE,
 };
 use crate::text::{Given, Table};
 
@@ -100,6 +100,7 @@ pub(super) struct Draft<'t> {
     pub(super) search_energy: Given<Energy>,
     solver: Given<SolverChoice>,
     tolerance: Given<f64>,
+    bound: Given<bool>,
 }
 
 impl<'t> Draft<'t> {
@@ -119,6 +120,7 @@ impl<'t> Draft<'t> {
             search_energy: table.take(&SEARCH_ENERGY),
             solver: table.take(&SOLVER),
             tolerance: table.take(&TOLERANCE),
+            bound: table.take(&BOUND),
             table,
         }
     }
@@ -132,6 +134,7 @@ impl<'t> Draft<'t> {
         let fits = self.fits_boundary(interior.as_ref(), basis, raise);
         let solver = self.solver(patch, interior.as_ref());
         let tolerance = self.tolerance(interior.as_ref());
+        let bound = self.bound(patch.zip(basis), interior.as_ref());
         let search_energy = match (shape, &interior) {
             (Some(shape), Some(interior)) => self.search_energy(shape, interior),
             _ => None,
@@ -149,6 +152,7 @@ impl<'t> Draft<'t> {
                 solver: solver?,
                 domain: domain?,
                 tolerance: tolerance?,
+                bound: bound?,
             })
         })();
         let fits = fits && method.as_ref().is_none_or(|method| self.fits_method(method));
@@ -227,6 +231,28 @@ impl<'t> Draft<'t> {
             return None;
         }
         self.table.or_default(&TOLERANCE, &self.tolerance)
+    }
+
+    /// Whether a lower bound is to be proved.
+    fn bound(&self, of: Option<(Patch, Basis)>, interior: Option<&Interior>) -> Option<bool> {
+        let wanted = self.table.or_default(&BOUND, &self.bound)?;
+        let span = self.bound.span().filter(|_| wanted);
+        let (Some(span), Some(of), Some(interior)) = (span, of, interior) else { return Some(wanted) };
+        let why = match (of, interior) {
+            ((Patch::Tensor, Basis::Bernstein), Interior::Extremal { energy: Energy::Area, .. }) => {
+                return Some(wanted);
+            }
+            ((Patch::Tensor, Basis::Bernstein), _) => "its interior is not of least area",
+            ((Patch::Tensor | Patch::TbCoons | Patch::Triangle, _), _) => {
+                "its patch is no tensor patch in the Bernstein basis"
+            }
+        };
+        self.table.faults().clash(
+            (span, "needs energy = \"area\" in the Bernstein basis over four sides"),
+            format!("{} has `bound`, but {why}", self.table.name()),
+            "leave it out: what is proved of a least area in the Bernstein basis holds for all surfaces with the same boundary curves",
+        );
+        None
     }
 
     /// The triangle over which an energy is taken.

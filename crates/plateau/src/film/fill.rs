@@ -7,7 +7,7 @@ use crate::surface::per_face;
 use crate::trust::of_film;
 use crate::{
     AreaEnd, AreaExtremal, CurveGraph, CutBoundary, Cutting, CuttingError, Figures, Loop, MethodError,
-    Progress, Seams, Warning, Way, dirichlet_complex, least_area_complex,
+    Progress, Seams, Warning, Way, dirichlet_complex, least_area_complex, lower_bound,
 };
 
 /// What is minimised.
@@ -38,6 +38,7 @@ pub struct Fill {
     rim_tolerance: Option<f64>,
     corner_angle: f64,
     way: Option<Way>,
+    bound: bool,
     mesh: Meshing,
 }
 
@@ -61,6 +62,7 @@ impl Default for Fill {
             rim_tolerance: None,
             corner_angle: Cutting::CORNER_ANGLE,
             way: None,
+            bound: false,
             mesh: Meshing::PerPatch(16),
         }
     }
@@ -115,6 +117,13 @@ impl Fill {
     #[must_use]
     pub fn with_way(mut self, way: impl Into<Option<Way>>) -> Self {
         self.way = way.into();
+        self
+    }
+
+    /// Whether a lower bound of the area is to be proved, see [`lower_bound`].
+    #[must_use]
+    pub fn with_bound(mut self, bound: bool) -> Self {
+        self.bound = bound;
         self
     }
 
@@ -224,11 +233,18 @@ impl Fill {
             figures,
             seams,
             one_by_one,
+            bound: None,
             tried,
             mesh,
             warnings: Vec::new(),
         };
         film.warnings = film.warned()?;
+        if self.bound {
+            match lower_bound(&film.complex) {
+                Ok(bound) => film.bound = Some(bound),
+                Err(why) => film.warnings.push(Warning::NoBound(why)),
+            }
+        }
         Ok(film)
     }
 }

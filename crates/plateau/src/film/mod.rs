@@ -9,7 +9,10 @@ use surfaces::{Complex, ComplexMesh, Deviation, Point};
 
 pub use fill::{Fill, FillEnergy, fill};
 
-use crate::{AreaExtremal, Done, Energy, Family, Figures, FilmFigures, Seams, Solved, Surface, Warning, Way};
+use crate::{
+    AreaExtremal, Done, Energy, Family, Figures, FilmFigures, LowerBound, Seams, Solved, Surface, Warning,
+    Way,
+};
 
 /// A surface of quadrilateral patches over loops or a graph of curves, with its figures.
 #[derive(Debug, Clone)]
@@ -33,6 +36,8 @@ pub struct Film {
     pub seams: Seams,
     /// For two loops and the least area: the area of the two surfaces that span each by itself.
     pub one_by_one: Option<f64>,
+    /// An area that no surface, or no graph, with this rim is below, if it was asked for and proved.
+    pub bound: Option<LowerBound>,
     /// Other ways of cutting that were tried, with what came of them; none unless the first left something to be desired.
     pub tried: Vec<Tried>,
     /// A watertight mesh of all patches.
@@ -80,6 +85,7 @@ impl Film {
             figures,
             seams,
             one_by_one,
+            bound,
             mesh,
             warnings,
             ..
@@ -105,7 +111,16 @@ impl Film {
             search: None,
         };
         let film = Some(FilmFigures { names, way, rim, seams, one_by_one });
-        Done { solved, mesh: mesh.mesh, figures, boundary: None, closed_form: None, film, warnings: all }
+        Done {
+            solved,
+            mesh: mesh.mesh,
+            figures,
+            boundary: None,
+            closed_form: None,
+            film,
+            bound,
+            warnings: all,
+        }
     }
 
     /// The patches with the names of their corners.

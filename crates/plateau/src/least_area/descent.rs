@@ -115,21 +115,38 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         reference: &[Point],
         near: bool,
     ) -> Result<Reached, MethodError> {
-        let mut reached = Reached {
+        let mut reached = self.at(x)?;
+        if self.scalar.count() == 0 {
+            return Ok(reached);
+        }
+        self.corrections(&mut reached)?;
+        let digits = (LOOSE / self.tolerance).log10().max(0.0);
+        let most = STEPS + (2.0 * STEPS as f64 * digits) as usize;
+        self.steps(&mut reached, reference, if near { TRUSTED_SHIFT } else { FIRST_SHIFT }, most)?;
+        self.normal_steps(&mut reached)?;
+        Ok(reached)
+    }
+
+    /// From `x`, which is near, in at most `most` steps in all coordinates and steps along the normals.
+    pub(super) fn refined(&mut self, x: Vec<Point>, most: usize) -> Result<Reached, MethodError> {
+        let mut reached = self.at(x.clone())?;
+        if self.scalar.count() > 0 {
+            self.steps(&mut reached, &x, TRUSTED_SHIFT, most)?;
+            self.normal_steps(&mut reached)?;
+        }
+        Ok(reached)
+    }
+
+    /// A surface from which nothing was done yet.
+    fn at(&mut self, x: Vec<Point>) -> Result<Reached, MethodError> {
+        Ok(Reached {
             surface: self.rules.settled(x)?,
             corrections: Stage::default(),
             steps: Stage::default(),
             normal_steps: Stage::default(),
             end: AreaEnd::Stationary,
             valley: ValleyEnd::Rounding,
-        };
-        if self.scalar.count() == 0 {
-            return Ok(reached);
-        }
-        self.corrections(&mut reached)?;
-        self.steps(&mut reached, reference, if near { TRUSTED_SHIFT } else { FIRST_SHIFT })?;
-        self.normal_steps(&mut reached)?;
-        Ok(reached)
+        })
     }
 
     /// The extremal of the Dirichlet energy of the form (a, b, c), from any surface with the border.
@@ -202,6 +219,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         reached: &mut Reached,
         reference: &[Point],
         mut shift: f64,
+        most: usize,
     ) -> Result<(), MethodError> {
         let (mut idle, mut last) = (0, 0);
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
@@ -210,7 +228,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         let first = reached.surface.x.clone();
         let mut floor = self.floor(reached.surface.points, [reference, &first])? * share;
         reached.valley = ValleyEnd::Budget;
-        for _ in 0..STEPS + (2.0 * STEPS as f64 * digits) as usize {
+        for _ in 0..most {
             self.watch(reached)?;
             let Some(Step { x, fine, predicted, quality }) = self.step(&reached.surface, &mut shift)? else {
                 reached.valley = ValleyEnd::Rounding;

@@ -9,6 +9,7 @@
 mod assembly;
 mod complex;
 mod descent;
+mod estimate;
 mod family;
 mod outcome;
 mod raised;
@@ -23,6 +24,7 @@ mod triangle;
 use energy::Integral;
 use surfaces::{Complex, Point, TensorPatch, TrianglePatch};
 
+pub use estimate::{AreaEstimate, NoEstimate, estimate_complex, estimate_net, estimate_triangle};
 pub use outcome::{AreaEnd, AreaExtremal, Stage, Start, ValleyEnd};
 pub use raised::{least_area_raised, least_area_triangle_raised};
 

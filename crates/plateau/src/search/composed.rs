@@ -224,6 +224,7 @@ mod tests {
             solver: SolverChoice::Auto,
             domain: energy::ReferenceTriangle::Right,
             tolerance: 1e-11,
+            bound: false,
         }
     }
 

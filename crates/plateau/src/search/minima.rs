@@ -119,6 +119,7 @@ mod tests {
             solver: SolverChoice::Auto,
             domain: ReferenceTriangle::Right,
             tolerance: 1e-10,
+            bound: false,
         }
     }
 

@@ -5,11 +5,13 @@ mod column;
 pub(crate) mod curve_table;
 pub(crate) mod figure;
 mod grid;
+mod how_far;
 mod patch_table;
 pub(crate) mod standing;
 
 pub use cells::Cells;
 pub use column::Column;
 pub use grid::grid;
+pub use how_far::how_far;
 pub(crate) use patch_table::notes;
 pub use patch_table::{WIDTH, table};

@@ -6,6 +6,7 @@ use super::cells::cells;
 use super::curve_table::{samples, summary};
 use super::figure::Place;
 use super::grid::grid;
+use super::how_far::how_far;
 use crate::Printable;
 use crate::printable::columns;
 use plateau::Results;
@@ -67,11 +68,14 @@ pub(crate) fn notes(results: &Results) -> Vec<String> {
     for method in &results.methods {
         let name = Printable(&method.name).cut(Printable::NAME);
         match &method.outcome {
-            Ok(done) => notes.extend(done.warnings.iter().map(|warning| {
-                number += 1;
-                let remedy = warning.remedy().map_or(String::new(), |remedy| format!("; {remedy}"));
-                format!("note {number}: {name}: {warning}{remedy}")
-            })),
+            Ok(done) => {
+                notes.extend(done.warnings.iter().map(|warning| {
+                    number += 1;
+                    let remedy = warning.remedy().map_or(String::new(), |remedy| format!("; {remedy}"));
+                    format!("note {number}: {name}: {warning}{remedy}")
+                }));
+                notes.extend(how_far(done).map(|far| format!("note: {name}: {far}")));
+            }
             Err(error) => notes.push(format!("failed: {name}: {error}")),
         }
     }
