@@ -6,15 +6,19 @@ use experiment::{Finished, Options, Plan, run};
 use plateau::Quantity;
 use record::ResultFile;
 
+/// Those of the papers, and the gallery.
 fn fixtures() -> Vec<PathBuf> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures");
-    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
-        .expect("the folder of fixtures is part of the repository")
+    let mut files: Vec<PathBuf> = ["", "/gallery"]
+        .iter()
+        .map(|part| format!("{}/../../fixtures{part}", env!("CARGO_MANIFEST_DIR")))
+        .flat_map(|folder| {
+            std::fs::read_dir(folder).expect("the folder of fixtures is part of the repository")
+        })
         .map(|entry| entry.expect("a readable folder").path())
         .filter(|path| path.extension().is_some_and(|e| e == "toml"))
         .collect();
     files.sort();
-    assert!(files.len() >= 7, "{files:?}");
+    assert!(files.len() >= 18, "{files:?}");
     files
 }
 

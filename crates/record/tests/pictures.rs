@@ -54,6 +54,21 @@ impl Files {
     }
 }
 
+#[test]
+fn films_are_drawn_patch_by_patch() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/gallery/hexagon.toml");
+    let text = fs::read_to_string(path).unwrap() + "\n[output]\npictures = true\n";
+    let files = Files::of("hexagon.toml", &text);
+    // A map over the parameters is for surfaces over one domain.
+    files.check(&["surfaces.svg"]);
+    let svg = files.read("surfaces.svg");
+    assert!(svg.contains("the borders of their patches") && svg.contains("Gauss curvature"));
+    let border = svg.lines().find(|line| line.contains("stroke-opacity=\"0.75\"")).unwrap();
+    assert_eq!(border.matches('z').count(), 6);
+    let report = files.read("report.html");
+    assert!(report.contains("\"charts\":6") && report.contains("Gauss curvature"));
+}
+
 /// XML whose elements nest, whose attributes are quoted, and whose numbers are all finite.
 fn well_formed(svg: &str) {
     let mut open: Vec<&str> = Vec::new();

@@ -32,9 +32,10 @@
 
   function grid(surface) {
     const [nu, nv] = surface.steps;
+    let first = 0; // of the patch
     const at = surface.triangle
       ? (a, b) => a * (nu + 1) - (a * (a - 1)) / 2 + b
-      : (a, b) => a * (nv + 1) + b;
+      : (a, b) => first + a * (nv + 1) + b;
     const faces = [], wires = [], rim = [];
     const line = (list, points) => points.slice(1).forEach((p, k) => list.push(points[k], p));
     const range = (n) => Array.from({ length: n + 1 }, (_, k) => k);
@@ -52,7 +53,7 @@
       line(rim, range(nu).map((b) => at(0, b)));
       line(rim, range(nu).map((a) => at(a, 0)));
       line(rim, range(nu).map((a) => at(a, nu - a)));
-    } else {
+    } else for (let chart = 0; chart < surface.charts; chart++, first += (nu + 1) * (nv + 1)) {
       for (let a = 0; a < nu; a++)
         for (let b = 0; b < nv; b++)
           faces.push(at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b), at(a + 1, b + 1), at(a, b + 1));

@@ -90,6 +90,7 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
     json!({
         "name": shown.name,
         "caption": caption,
+        "charts": shown.sample.charts,
         "steps": shown.sample.steps,
         "triangle": shown.sample.domain == surfaces::Domain::Triangle,
         "points": points(&shown.sample.points),

@@ -30,17 +30,21 @@ const ROUNDING: f64 = 1e-9;
 /// Level curves, in units of the full scale.
 const LEVELS: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
 
-/// The maps of all surfaces; none if they are all minimal.
+/// The maps of all surfaces over one domain; none if they are all minimal.
 pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let full = scene.full_scale(Field::Mean)?;
     let largest = scene.largest(Field::Mean)?;
-    let chosen = spread(scene.surfaces.len(), PANELS);
+    let over_one: Vec<&Shown<'_>> = scene.surfaces.iter().filter(|shown| shown.sample.charts == 1).collect();
+    if over_one.is_empty() {
+        return None;
+    }
+    let chosen = spread(over_one.len(), PANELS);
     let [columns, rows] = arrange(chosen.len(), 4);
     let (width, height) = (CELL[0] * columns as f64 + BAR, CELL[1] * rows as f64);
     let mut svg = Svg::new(width, height, "Mean curvature H over the parameters u and v");
     let pixels = PIXELS[usize::from(chosen.len() > 4)];
     for (k, &index) in chosen.iter().enumerate() {
-        let shown = &scene.surfaces[index];
+        let shown = over_one[index];
         let image = raster(shown, full, pixels);
         map(
             &mut svg,
@@ -139,7 +143,7 @@ fn level_curve(shown: &Shown<'_>, values: &[Option<f64>], level: f64, [left, bot
     let sample = &shown.sample;
     let [nu, nv] = sample.steps.map(|n| n as f64);
     let mut d = String::new();
-    for face in sample.faces(1) {
+    for face in sample.cells(1) {
         for last in 2..face.len() {
             let corners = [face[0], face[last - 1], face[last]];
             let known: Option<Vec<f64>> = corners.iter().map(|&[a, b]| values[sample.at(a, b)]).collect();

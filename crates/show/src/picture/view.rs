@@ -1,5 +1,6 @@
 //! Surfaces as they stand in space, with their control nets: one camera and one scale for all methods.
 
+use plateau::Energy;
 use surfaces::Point;
 
 use super::panels::arrange;
@@ -20,20 +21,32 @@ const HEAD: f64 = 42.0;
 /// Space for the colour bar.
 const BAR: f64 = 110.0;
 
+/// Whether the surfaces are of several patches.
+fn are_films(scene: &Scene<'_>) -> bool {
+    scene.surfaces.iter().all(|shown| shown.done.film.is_some())
+}
+
+/// Whether there is mean curvature to be seen: films of least area have the little that their degree leaves of 0.
+fn shows_mean_curvature(scene: &Scene<'_>) -> bool {
+    let is_least = |shown: &Shown<'_>| shown.done.solved.minimised == Some(Energy::Area);
+    scene.full_scale(Field::Mean).is_some()
+        && !(are_films(scene)
+            && scene.surfaces.iter().all(is_least)
+            && scene.full_scale(Field::Gauss).is_some())
+}
+
 /// The views of all surfaces, coloured by mean curvature, or by Gauss curvature where they are all minimal.
 pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
-    let field = if scene.full_scale(Field::Mean).is_some() { Field::Mean } else { Field::Gauss };
+    let field = if shows_mean_curvature(scene) { Field::Mean } else { Field::Gauss };
     let full = scene.full_scale(field);
     let chosen: Vec<&Shown<'_>> =
         spread(scene.surfaces.len(), PANELS).into_iter().map(|k| &scene.surfaces[k]).collect();
     let [columns, rows] = arrange(chosen.len(), 4);
     let cell = [CELL[0], CELL[1] + HEAD];
     let bar = if full.is_some() { BAR } else { 0.0 };
-    let mut svg = Svg::new(
-        cell[0] * columns as f64 + bar,
-        cell[1] * rows as f64,
-        "The surfaces with their control nets",
-    );
+    let lines = if are_films(scene) { "the borders of their patches" } else { "their control nets" };
+    let title = format!("The surfaces with {lines}");
+    let mut svg = Svg::new(cell[0] * columns as f64 + bar, cell[1] * rows as f64, &title);
     let camera = Camera::fitting(scene, &chosen, true, CELL);
     for (k, shown) in chosen.iter().enumerate() {
         let (x, y) = (cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64);
@@ -68,9 +81,7 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     } else {
         ""
     };
-    let caption = format!(
-        "The surfaces with their control nets, from one direction and on one scale{coloured}{undrawn}."
-    );
+    let caption = format!("{title}, from one direction and on one scale{coloured}{undrawn}.");
     Some(Picture { name: "surfaces", caption, svg: svg.finish() })
 }
 
@@ -135,16 +146,15 @@ pub(super) fn surface(
         .faces(stride)
         .into_iter()
         .map(|face| {
-            let corners: Vec<usize> = face.iter().map(|&[a, b]| sample.at(a, b)).collect();
-            let points: Vec<Point> = corners.iter().map(|&k| scene.local(sample.points[k])).collect();
-            let share = 1.0 / corners.len() as f64;
+            let points: Vec<Point> = face.iter().map(|&k| scene.local(sample.points[k])).collect();
+            let share = 1.0 / face.len() as f64;
             let middle = points.iter().fold(Point::ZERO, |sum, &p| sum + p) * share;
             // Twice the area of the face, as a vector.
             let normal = (points[2] - points[0]).cross(points[points.len() - 1] - points[1]);
             let bright = normal.unit().map_or(1.0, |n| 0.68 + 0.32 * n.dot(light).abs());
             let plain = scale.map_or([233, 236, 240], |(field, full)| {
                 let values = sample.values(field);
-                let sum: Option<f64> = corners.iter().map(|&k| values[k].map(|x| x / full)).sum();
+                let sum: Option<f64> = face.iter().map(|&k| values[k].map(|x| x / full)).sum();
                 sum.map_or(colour::NONE, |sum| colour::diverging(sum * share))
             });
             let centre = camera.project(middle, at);
@@ -161,8 +171,10 @@ pub(super) fn surface(
         .collect();
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
     faces.iter().for_each(|(_, face)| svg.raw(face));
-    let rim = sample.outline().into_iter().map(|[a, b]| sample.points[sample.at(a, b)]);
-    let rim = path(rim.map(|p| camera.project(scene.local(p), at)), true);
+    let outline = |points: Vec<usize>| {
+        path(points.into_iter().map(|k| camera.project(scene.local(sample.points[k]), at)), true)
+    };
+    let rim: String = sample.outlines().into_iter().map(outline).collect();
     svg.element(format_args!(
         r#"path d="{rim}" fill="none" stroke="{INK}" stroke-width="0.9" stroke-linejoin="round" stroke-opacity="0.75""#
     ));

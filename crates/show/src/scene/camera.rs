@@ -47,7 +47,7 @@ fn face_normals(sample: &Sample) -> Vec<Point> {
     let first = sample.points[0];
     let size = sample.points.iter().map(|p| p.distance(first)).fold(0.0, f64::max);
     let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
-    let at = |[a, b]: [usize; 2]| (sample.points[sample.at(a, b)] - first) * scale;
+    let at = |k: usize| (sample.points[k] - first) * scale;
     let faces = sample.faces(4);
     faces.iter().map(|f| (at(f[2]) - at(f[0])).cross(at(f[f.len() - 1]) - at(f[1]))).collect()
 }

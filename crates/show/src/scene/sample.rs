@@ -1,4 +1,4 @@
-use surfaces::{Domain, Jet, Point};
+use surfaces::{Complex, Domain, Jet, Patch, Point};
 
 use super::Field;
 use plateau::Surface;
@@ -26,28 +26,59 @@ const ACROSS: usize = 16;
 /// All subdivisions are multiples of this, so that coarser faces fit.
 const STEP: usize = 4;
 
-/// A surface on a grid of its domain.
+/// Most vertices of a surface of several patches: a picture of more would show nothing but borders.
+const MOST: usize = 60_000;
+
+/// A surface on a grid of its domain, or on as many equal grids as it has patches.
 pub(crate) struct Sample {
-    /// The domain.
+    /// The domain; of a surface of several patches that of each.
     pub(crate) domain: Domain,
+    /// How many patches have a grid of their own; 1 for surfaces over one domain.
+    pub(crate) charts: usize,
     /// Subdivisions in u and v; the same for triangles. Multiples of 4.
     pub(crate) steps: [usize; 2],
-    /// Points. Over a rectangle all v of the first u first; over a triangle row a holds n − a + 1 points with u = a/n.
+    /// Points, patch by patch. Over a rectangle all v of the first u first; over a triangle row a holds n − a + 1 points with u = a/n.
     pub(crate) points: Vec<Point>,
     fields: [Vec<Option<f64>>; 4],
 }
 
 impl Sample {
-    /// Samples a surface at about `budget` vertices, at most 49² of a single patch; none of a complex, which has no one domain.
+    /// Samples a surface at about `budget` vertices, at most 49² of a single patch; none of one of very many patches.
     pub(super) fn of(surface: &Surface, budget: usize) -> Option<Self> {
-        let patch = surface.patch()?;
+        match surface {
+            Surface::Tensor(patch) => Some(Self::of_patch(patch, steps([1, 1], budget))),
+            Surface::Triangle(patch) => {
+                Some(Self::of_patch(patch, steps([1, 1], (2 * budget).min(TRIANGLE))))
+            }
+            Surface::Pieces(pieces) => Some(Self::of_patch(pieces, steps(pieces.shape(), budget))),
+            Surface::Complex(complex) => Self::of_complex(complex, budget),
+        }
+    }
+
+    /// One grid after the other, of the patches as they are numbered.
+    fn of_complex(complex: &Complex, budget: usize) -> Option<Self> {
+        let count = complex.faces().len();
+        // Of the subdivisions of a single patch about as many in all.
+        let share = libm::sqrt(budget.min((FINE + 1) * (FINE + 1)) as f64 / count.max(1) as f64);
+        let side = (share as usize / STEP * STEP).max(STEP);
+        if count * (side + 1) * (side + 1) > MOST {
+            return None;
+        }
+        let patch = |face: usize| Some(Self::of_patch(&complex.patch(face).ok()?, [side; 2]));
+        let mut whole = patch(0)?;
+        for face in 1..count {
+            let next = patch(face)?;
+            whole.points.extend(next.points);
+            for (field, more) in whole.fields.iter_mut().zip(next.fields) {
+                field.extend(more);
+            }
+        }
+        whole.charts = count;
+        Some(whole)
+    }
+
+    fn of_patch(patch: &dyn Patch, steps: [usize; 2]) -> Self {
         let domain = patch.domain();
-        let steps = match surface {
-            Surface::Pieces(pieces) => steps(pieces.shape(), budget),
-            Surface::Tensor(_) => steps([1, 1], budget),
-            Surface::Triangle(_) => steps([1, 1], (2 * budget).min(TRIANGLE)),
-            Surface::Complex(_) => return None,
-        };
         let jets: Vec<Jet> = match domain {
             Domain::Rectangle { u, v } => patch.jets(&even(u, steps[0]), &even(v, steps[1])),
             Domain::Triangle => {
@@ -57,7 +88,7 @@ impl Sample {
             }
         };
         let fields = Field::ALL.map(|field| jets.iter().map(|jet| field.of(jet)).collect());
-        Some(Self { domain, steps, points: jets.iter().map(|jet| jet.point).collect(), fields })
+        Self { domain, charts: 1, steps, points: jets.iter().map(|jet| jet.point).collect(), fields }
     }
 
     /// The values of a field at the points; none where it does not exist.
@@ -65,7 +96,7 @@ impl Sample {
         &self.fields[field as usize]
     }
 
-    /// The index of the point (a, b) of the grid.
+    /// The index of the point (a, b) of the first grid.
     pub(crate) fn at(&self, a: usize, b: usize) -> usize {
         match self.domain {
             Domain::Rectangle { .. } => a * (self.steps[1] + 1) + b,
@@ -74,9 +105,28 @@ impl Sample {
         }
     }
 
-    /// The corners in the grid of the faces of `stride` cells a side: rectangles of a rectangle, triangles of a triangle.
+    /// The points at the corners of all faces of `stride` cells a side: rectangles of a rectangle, triangles of a triangle.
     /// `stride` divides the steps.
-    pub(crate) fn faces(&self, stride: usize) -> Vec<Vec<[usize; 2]>> {
+    pub(crate) fn faces(&self, stride: usize) -> Vec<Vec<usize>> {
+        self.on_all(&self.cells(stride))
+    }
+
+    /// The closed polygons of the boundaries of all patches.
+    pub(crate) fn outlines(&self) -> Vec<Vec<usize>> {
+        self.on_all(&[self.outline()])
+    }
+
+    /// The points of every grid at the same places of each.
+    fn on_all(&self, places: &[Vec<[usize; 2]>]) -> Vec<Vec<usize>> {
+        let size = self.points.len() / self.charts;
+        let of_one = |chart: usize| {
+            places.iter().map(move |list| list.iter().map(|&[a, b]| chart * size + self.at(a, b)).collect())
+        };
+        (0..self.charts).flat_map(of_one).collect()
+    }
+
+    /// The corners in one grid of the faces of `stride` cells a side.
+    pub(crate) fn cells(&self, stride: usize) -> Vec<Vec<[usize; 2]>> {
         let [nu, nv] = self.steps;
         let s = stride;
         let mut faces = Vec::new();
@@ -102,8 +152,8 @@ impl Sample {
         faces
     }
 
-    /// The closed polygon of the boundary, as points of the grid.
-    pub(crate) fn outline(&self) -> Vec<[usize; 2]> {
+    /// The closed polygon of the boundary of one grid.
+    fn outline(&self) -> Vec<[usize; 2]> {
         let [nu, nv] = self.steps;
         match self.domain {
             Domain::Rectangle { .. } => {
@@ -186,7 +236,7 @@ mod tests {
         let numbers: Vec<usize> =
             (0..=n).flat_map(|a| (0..=n - a).map(move |b| (a, b))).map(|(a, b)| sample.at(a, b)).collect();
         assert_eq!(numbers, (0..sample.points.len()).collect::<Vec<_>>());
-        assert_eq!(sample.faces(1).len(), n * n);
+        assert_eq!((sample.faces(1).len(), sample.outlines().len()), (n * n, 1));
         assert_eq!(sample.faces(4).len(), n * n / 16);
         assert_eq!(sample.outline().len(), 3 * n);
     }
