@@ -11,12 +11,14 @@
 //! # Ok::<(), plateau_benches::FixtureError>(())
 //! ```
 
+mod frames;
 mod net;
 mod problem;
 mod samples;
 mod search_box;
 mod settings;
 
+pub use frames::{catenoid, cube, hexagon, ribbon, saddle, triangle};
 pub use net::{example_5_1, example_5_2, wave};
 pub use problem::{gt_dirichlet, interior};
 pub use samples::{affine_samples, gt_samples, separable_parametric};

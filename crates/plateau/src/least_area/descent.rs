@@ -17,14 +17,20 @@ use crate::Progress;
 const CORRECTIONS: usize = 24;
 const CORRECTION_GAIN: f64 = 1e-4;
 
-/// Newton steps in all coordinates at most, from this tolerance on; twice as many more for every digit below it.
-const STEPS: usize = 40;
-const LOOSE: f64 = 1e-10;
+/// The tolerance from which on the parametrisation is to be determined: below it the area counts for more.
+pub(super) const LOOSE: f64 = 1e-10;
+
+/// Newton steps in all coordinates at most, from [`LOOSE`] on, and how many more for every digit below it.
+const STEPS: usize = 24;
+const MORE_STEPS: f64 = 80.0;
 
 /// Steps running that gain less than the tolerance after which it is reached; one more for every digit below 1e-9.
 const IDLE: usize = 2;
 
-/// Share of the Dirichlet product in the first of them, and the least.
+/// Share of the Dirichlet product in the first of them, and the least. Where the Hessian with less than some share is
+/// indefinite, rounding grows from step to step along what has negative curvature, the faster the less is added: from a
+/// tolerance of [`LOOSE`] on, no later step has less than the share that made it definite, so that the parametrisation is
+/// determined.
 const FIRST_SHIFT: f64 = 1e-2;
 const LEAST_SHIFT: f64 = 1e-9;
 
@@ -55,8 +61,9 @@ const LAST_STEPS: usize = 2;
 const LAST_SHIFT: f64 = 1e-7;
 
 /// Share of the start's evenness (least over mean of the area densities) below which steps do not lead, from a tolerance of
-/// [`LOOSE`] on; a digit less for every digit below it.
+/// [`LOOSE`] on; four digits less for every digit below it, where the area counts for more than the parametrisation.
 const EVENNESS: f64 = 0.1;
+const LESS_EVEN: f64 = 4.0;
 
 /// A surface on its way down.
 pub(super) struct Descent<'a, 'p, S: Space> {
@@ -67,6 +74,8 @@ pub(super) struct Descent<'a, 'p, S: Space> {
     all: Rc<Unknowns>,
     pub(super) iterations: usize,
     pub(super) evaluations: usize,
+    /// The least share of the Dirichlet product in steps from here on.
+    least_shift: f64,
 }
 
 /// Where a descent ended.
@@ -100,6 +109,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
             all: Rc::new(Unknowns::all(topology)?),
             iterations: 0,
             evaluations: 0,
+            least_shift: LEAST_SHIFT,
         })
     }
 
@@ -121,7 +131,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         }
         self.corrections(&mut reached)?;
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
-        let most = STEPS + (2.0 * STEPS as f64 * digits) as usize;
+        let most = STEPS + (MORE_STEPS * digits) as usize;
         self.steps(&mut reached, reference, if near { TRUSTED_SHIFT } else { FIRST_SHIFT }, most)?;
         self.normal_steps(&mut reached)?;
         Ok(reached)
@@ -223,23 +233,23 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
     ) -> Result<(), MethodError> {
         let (mut idle, mut last) = (0, 0);
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
-        let share = EVENNESS * 10f64.powf(-digits);
+        let share = EVENNESS * 10f64.powf(-LESS_EVEN * digits);
         let patience = IDLE + (1e-9 / self.tolerance).log10().max(0.0).round() as usize;
         let first = reached.surface.x.clone();
         let mut floor = self.floor(reached.surface.points, [reference, &first])? * share;
         reached.valley = ValleyEnd::Budget;
+        self.least_shift = LEAST_SHIFT;
         for _ in 0..most {
             self.watch(reached)?;
-            let Some(Step { x, fine, predicted, quality }) = self.step(&reached.surface, &mut shift)? else {
-                reached.valley = ValleyEnd::Rounding;
-                return Ok(());
+            let Step { x, fine, predicted, quality } = match self.step(&reached.surface, &mut shift, floor)? {
+                Ok(step) => step,
+                Err(end) => {
+                    reached.valley = end;
+                    return Ok(());
+                }
             };
             let (points, before, used) = (reached.surface.points, reached.surface.area(), shift);
             let rounding = predicted <= ROUNDING * before;
-            if !rounding && fine.evenness < floor {
-                reached.valley = ValleyEnd::Ratio;
-                return Ok(());
-            }
             let next = self.rules.known(points, x, fine)?;
             let next = if rounding { next } else { self.rules.settle(next)? };
             if next.points != points {
@@ -264,7 +274,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
                 continue;
             }
             if quality > 0.75 {
-                shift = (0.3 * shift).max(LEAST_SHIFT);
+                shift = (0.3 * shift).max(self.least_shift);
             } else if quality < 0.25 {
                 shift *= 4.0;
             }
@@ -281,12 +291,19 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         Ok(())
     }
 
-    /// One step that lowers the area, or promises no more than rounding. None if there is none.
-    fn step(&mut self, here: &Known, shift: &mut f64) -> Result<Option<Step>, MethodError> {
+    /// One step that lowers the area and leaves the surface no less even than `floor`, or promises no more than rounding; why
+    /// there is none.
+    fn step(
+        &mut self,
+        here: &Known,
+        shift: &mut f64,
+        floor: f64,
+    ) -> Result<Result<Step, ValleyEnd>, MethodError> {
         let (topology, all) = (self.rules.space.topology(), self.all.clone());
         let cell = self.rules.cell(here.points)?;
         let assembly = Assembly { topology, cell: cell.as_ref() };
-        let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { return Ok(None) };
+        let mut end = ValleyEnd::Rounding;
+        let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { return Ok(Err(end)) };
         let hessians = all.hessians(&assembly, &here.tangents)?;
         let metrics = assembly.metrics(&here.tangents)?;
         let gradient = all.gather(&slopes);
@@ -298,6 +315,9 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
                 Ok(factor) => factor,
                 Err(SolveError::NotPositiveDefinite { .. }) => {
                     *shift = shift.max(1e-8) * 6.0;
+                    if self.tolerance >= LOOSE {
+                        self.least_shift = self.least_shift.max(*shift);
+                    }
                     continue;
                 }
                 Err(error) => return Err(error.into()),
@@ -318,24 +338,30 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
             let mut fine = self.rules.fine(here.points, &x)?;
             self.evaluations += 1;
             if !small {
-                (x, fine) = self.corrected(&assembly, &factor, here, (x, fine))?;
+                (x, fine) = self.corrected(&assembly, &factor, here, (x, fine), floor)?;
             }
             let quality = (here.area() - fine.area) / predicted;
-            if quality > 1e-4 || small && fine.area <= here.area() * (1.0 + ROUNDING) {
-                return Ok(Some(Step { x, fine, predicted, quality }));
+            let lower = quality > 1e-4 || small && fine.area <= here.area() * (1.0 + ROUNDING);
+            if lower && (small || fine.evenness >= floor) {
+                return Ok(Ok(Step { x, fine, predicted, quality }));
+            }
+            if lower {
+                end = ValleyEnd::Ratio;
             }
             *shift = shift.max(1e-8) * 5.0;
         }
-        Ok(None)
+        Ok(Err(end))
     }
 
-    /// A step along the curved valley leaves its floor; the same system leads back, and on.
+    /// A step along the curved valley leaves its floor; the same system leads back, and on, as long as the surface stays as
+    /// even as `floor`.
     fn corrected(
         &mut self,
         assembly: &Assembly<'_>,
         factor: &Condensed<'_>,
         here: &Known,
         (mut x, mut fine): (Vec<Point>, Fine),
+        floor: f64,
     ) -> Result<(Vec<Point>, Fine), MethodError> {
         for _ in 0..CORRECTED {
             let Some(slopes) = defined(assembly.gradient(&assembly.tangents(&x)))? else { break };
@@ -345,7 +371,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
             let lower = self.rules.fine(here.points, &next)?;
             self.evaluations += 1;
             let gained = fine.area - lower.area;
-            if gained.is_nan() || gained <= ROUNDING * fine.area {
+            if gained.is_nan() || gained <= ROUNDING * fine.area || lower.evenness < floor {
                 break;
             }
             let so_far = here.area() - fine.area;

@@ -31,7 +31,7 @@ pub use raised::{least_area_raised, least_area_triangle_raised};
 use crate::{MethodError, Progress};
 use assembly::Assembly;
 use complex::Glued;
-use descent::{Descent, Reached};
+use descent::{Descent, LOOSE, Reached};
 use space::Space;
 use stability::Variation;
 use tensor::{Separated, Sums};
@@ -175,12 +175,19 @@ fn minimise<S: Space>(
         }
     }
     descent.check(&start)?;
-    let mut best = descent.run(start, &reference, lower.is_some())?;
-    for x in at_hand {
+    let mut best = descent.run(start.clone(), &reference, lower.is_some())?;
+    // Below the tolerance at which one valley is as good as another, all are looked into. Of several cells the Dirichlet
+    // extremal, every one over a unit square, is a bad start.
+    let all = tolerance < LOOSE && lower.is_none() && space.topology().cells.len() == 1;
+    if all {
+        at_hand.push(reference.clone());
+    }
+    for x in at_hand.into_iter().filter(|x| *x != start) {
         let (area, _) = descent.judge(&x)?;
-        if area < best.surface.area() * (1.0 - LOWER) {
+        if all || area < best.surface.area() * (1.0 - LOWER) {
             let other = descent.run(x, &reference, false)?;
-            if other.surface.area() < best.surface.area() {
+            let enough = if all { tolerance.max(LOWER) } else { 0.0 };
+            if other.surface.area() < best.surface.area() * (1.0 - enough) {
                 (best, least, from) = (other, area, Start::AtHand);
             }
         }
