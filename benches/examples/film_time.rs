@@ -16,8 +16,11 @@ use surfaces::Complex;
 const PATIENCE: f64 = 0.5;
 const REPEATS: usize = 3;
 
-/// A frame of this degree and the tolerance that suits it.
-type Cut = fn(usize) -> Result<Complex, FixtureError>;
+/// A frame by its degree.
+type Frame = fn(usize) -> Result<Complex, FixtureError>;
+
+/// The name of a frame, and the degrees at which it is solved, with the tolerance that suits each.
+type Runs<'a> = (&'a str, Frame, &'a [(usize, f64)]);
 
 fn print(name: &str, degree: usize, solve: impl Fn() -> Result<f64, MethodError>) -> Result<(), MethodError> {
     let (begin, mut least, mut repeats) = (Instant::now(), f64::INFINITY, 0);
@@ -39,7 +42,7 @@ fn main() -> Result<(), FixtureError> {
         let patch = saddle(degree)?;
         print("saddle", degree, || Ok(least_area(&patch, tolerance, &())?.1.area.value))?;
     }
-    let films: [(&str, Cut, &[(usize, f64)]); 3] = [
+    let films: [Runs<'_>; 3] = [
         ("hexagon", hexagon, &[(3, 1e-9), (4, 1e-11), (6, 1e-13), (8, 1e-13)]),
         ("catenoid", catenoid, &[(4, 1e-9), (6, 1e-11), (8, 1e-13)]),
         ("cube film", cube, &[(3, 1e-9), (4, 1e-10)]),
