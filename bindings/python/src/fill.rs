@@ -25,7 +25,8 @@ pub(crate) struct Options {
     tolerance: f64,
     rim_tolerance: Option<f64>,
     weld: Option<f64>,
-    corner_angle: f64,
+    corner_angle: Option<f64>,
+    bound: bool,
     way: Option<String>,
     mesh: usize,
 }
@@ -48,13 +49,13 @@ impl Options {
     }
 
     fn fill(&self) -> PyResult<Fill> {
-        let mut fill =
-            Fill::default().with_energy(self.energy()).with_tolerance(self.tolerance).with_mesh(self.mesh);
+        let mut fill = Fill::default()
+            .with_energy(self.energy())
+            .with_tolerance(self.tolerance)
+            .with_bound(self.bound)
+            .with_mesh(self.mesh);
         if let Some(degree) = self.degree {
             fill = fill.with_degree(degree);
-        }
-        if let Some(tolerance) = self.rim_tolerance {
-            fill = fill.with_rim_tolerance(tolerance);
         }
         if let Some(name) = &self.way {
             let way = WAYS.iter().find(|(known, _)| known == name);
@@ -93,7 +94,10 @@ pub(crate) fn fill_loops(
     let curves =
         curves.iter().enumerate().map(|(k, curve)| curve.curve(k + 1)).collect::<PyResult<Vec<_>>>()?;
     let file = CurveFile { kind: Kind::Table, curves, notes: Vec::new() };
-    let how = AssemblyOptions { weld: options.weld, corner_angle: options.corner_angle };
+    let how = AssemblyOptions {
+        weld: options.weld,
+        corner_angle: options.corner_angle.unwrap_or(AssemblyOptions::CORNER_ANGLE),
+    };
     let refused = |error: &dyn std::fmt::Display| BoundaryError::new_err(error.to_string());
     let assembly = Assembly::new(&file, &how).map_err(|error| refused(&error))?;
     let tolerance = options.rim_tolerance.unwrap_or(RIM_TOLERANCE * assembly.size);

@@ -102,3 +102,16 @@ def test_a_triangle_by_every_way() -> None:
     assert least.domain is None and least.indices is not None and (least.indices.sum(axis=1) == 5).all()
     corner = int(np.flatnonzero((least.indices == [5, 0, 0]).all(axis=1))[0])
     assert least.net[corner].tolist() == a
+
+
+def test_a_lower_bound_is_below_every_surface(sides: dict[str, np.ndarray]) -> None:
+    loop = [sides["v0"], sides["u1"], sides["v1"], sides["u0"]]
+    least = pp.least_area(*sides.values(), degree=10)
+    for surface in (pp.fill([loop], degree=8, bound=True), pp.least_area(*sides.values(), degree=8, bound=True)):
+        bound = surface.lower_bound
+        assert bound is not None and bound.value < least.area + least.area_error < bound.value + 1e-4
+        assert bound.holds_for == "every surface with this rim"
+    assert least.lower_bound is None
+    rings = [pp.Curve.circle([0, 0, z], [0, 0, 1], 1.0) for z in (-0.3, 0.3)]
+    catenoid = pp.fill(rings, degree=4, bound=True)
+    assert catenoid.lower_bound is None and any("no lower bound" in warning for warning in catenoid.warnings)

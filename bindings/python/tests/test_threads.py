@@ -50,7 +50,7 @@ def test_two_threads_compute_the_same(wave: np.ndarray) -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are sent as POSIX has them")
 def test_ctrl_c_ends_the_work() -> None:
-    code = LONG + "print('go', flush=True)\npp.fill([loop], degree=30)\nprint('ended by itself')\n"
+    code = LONG + "print('go', flush=True)\npp.fill([loop], degree=14)\nprint('ended by itself')\n"
     child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert child.stdout is not None and child.stdout.readline() == "go\n"
     time.sleep(0.5)

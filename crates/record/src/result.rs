@@ -100,6 +100,9 @@ struct DoneEntry {
     /// The patches of a complex, instead of `net`.
     #[serde(skip_serializing_if = "Option::is_none")]
     faces: Option<Vec<FaceEntry>>,
+    /// The names of the vertices of a complex, in the order of its control points and of its meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vertices: Option<Vec<String>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     domain: Option<DomainEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -417,6 +420,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             (Surface::Complex(complex), Some(film)) => Some(faces(complex, &film.names)),
             (Surface::Complex(_) | Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_), _) => None,
         },
+        vertices: film.map(|film| film.names.clone()),
         domain: match &done.solved.surface {
             Surface::Pieces(pieces) => Some(DomainEntry::new(pieces)),
             Surface::Tensor(_) | Surface::Triangle(_) | Surface::Complex(_) => None,

@@ -119,6 +119,7 @@ struct Entry {
     domain: Option<Value>,
     pieces: Option<Value>,
     faces: Option<Value>,
+    vertices: Option<Value>,
 }
 
 #[derive(Deserialize)]
@@ -281,7 +282,12 @@ fn surface(mut entry: Entry, place: &str) -> Result<(Surface, Family), ReadError
         Family::Bernstein => sound(TensorPatch::bernstein(whole(entry.net)?))?,
         Family::Gt => sound(TensorPatch::gt(whole(entry.net)?, shape(entry.shape)?))?,
         Family::TbCoons => sound(tb_coons(whole(entry.net)?, shape(entry.shape)?))?,
-        Family::Complex => complex(&typed::<Vec<FaceEntry>>(entry.faces, &key("faces"))?, &key("faces"))?,
+        Family::Complex => {
+            let faces: Vec<FaceEntry> = typed(entry.faces, &key("faces"))?;
+            // Results of early versions lack it.
+            let order = entry.vertices.map(|names| typed(Some(names), &key("vertices"))).transpose()?;
+            complex(&faces, &numbers(&faces, order, &key("vertices"))?, &key("faces"))?
+        }
         Family::Triangle => triangle(&typed::<Vec<IndexedPoint>>(entry.net, &net_key)?, &net_key)?,
         Family::Aht => all_pieces(entry, aht, place)?,
         Family::At => all_pieces(entry, at, place)?,
@@ -391,11 +397,36 @@ fn pieces(
     Pieces::from_patches(u, v, patches).map_err(|error| unfit(key, error.to_string()))
 }
 
+/// The numbers of the vertices of faces: as `order` lists their names, else as they are met.
+fn numbers(
+    faces: &[FaceEntry],
+    order: Option<Vec<String>>,
+    key: &str,
+) -> Result<HashMap<String, usize>, ReadError> {
+    let (mut met, mut listed) = (HashMap::new(), HashMap::new());
+    for name in faces.iter().flat_map(|face| &face.vertices) {
+        let next = met.len();
+        met.entry(name.clone()).or_insert(next);
+    }
+    let Some(order) = order else { return Ok(met) };
+    for name in order {
+        let next = listed.len();
+        if !met.contains_key(&name) || listed.contains_key(&name) {
+            return Err(unfit(key, format!("{name:?} is no vertex of a face, or stands twice")));
+        }
+        listed.insert(name, next);
+    }
+    match met.into_keys().find(|name| !listed.contains_key(name)) {
+        Some(name) => Err(unfit(key, format!("{name:?} is missing, a vertex of a face"))),
+        None => Ok(listed),
+    }
+}
+
 /// The complex of faces that share the edges between vertices of the same names.
-fn complex(faces: &[FaceEntry], key: &str) -> Result<Surface, ReadError> {
+fn complex(faces: &[FaceEntry], numbers: &HashMap<String, usize>, key: &str) -> Result<Surface, ReadError> {
     let Some(first) = faces.first() else { return Err(unfit(key, "is empty".into())) };
     let degree = first.net.len().saturating_sub(1);
-    let (mut numbers, mut vertices) = (HashMap::new(), Vec::new());
+    let mut vertices = vec![Vertex::Free(None); numbers.len()];
     let (mut corners, mut edges, mut met) = (Vec::new(), Vec::new(), HashSet::new());
     for (k, face) in faces.iter().enumerate() {
         let here = format!("{key}[{k}].net");
@@ -405,12 +436,12 @@ fn complex(faces: &[FaceEntry], key: &str) -> Result<Surface, ReadError> {
         }
         let [u0, u1, v0, v1] = net.boundary();
         let places = [u0[0], u1[0], u1[degree], u0[degree]];
-        let quad: [usize; 4] = std::array::from_fn(|c| {
-            *numbers.entry(face.vertices[c].as_str()).or_insert_with(|| {
-                vertices.push(Vertex::Fixed(places[c]));
-                vertices.len() - 1
-            })
-        });
+        let quad: [usize; 4] = std::array::from_fn(|c| numbers[&face.vertices[c]]);
+        for (vertex, place) in quad.into_iter().zip(places) {
+            if let Vertex::Free(_) = vertices[vertex] {
+                vertices[vertex] = Vertex::Fixed(place);
+            }
+        }
         for (ends, side) in [([0, 3], u0), ([1, 2], u1), ([0, 1], v0), ([3, 2], v1)] {
             let ends = ends.map(|c| quad[c]);
             if met.insert([ends[0].min(ends[1]), ends[0].max(ends[1])]) {

@@ -31,7 +31,7 @@ from .methods import (
     triangle,
 )
 from .report import Report
-from .surface import Face, Kink, Surface
+from .surface import Face, Kink, LowerBound, Surface
 
 __version__ = _version("plateau_patches")
 
@@ -44,6 +44,7 @@ __all__ = [
     "Fault",
     "FormatError",
     "Kink",
+    "LowerBound",
     "Mesh",
     "MethodError",
     "PlateauError",

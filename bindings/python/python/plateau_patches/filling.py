@@ -29,7 +29,8 @@ class Options:
     tolerance: float
     rim_tolerance: float | None
     weld: float | None
-    corner_angle: float
+    corner_angle: float | None
+    bound: bool
     way: str | None
     mesh: int
 
@@ -46,7 +47,8 @@ def fill(
     tolerance: float = 1e-9,
     rim_tolerance: float | None = None,
     weld: float | None = None,
-    corner_angle: float = 44.0,
+    corner_angle: float | None = None,
+    bound: bool = False,
     way: str | None = None,
     name: str = "",
     progress: Told | None = None,
@@ -66,9 +68,10 @@ def fill(
         degree: of every patch, 1 to 64. By default 6, or that of the curves where it is higher.
         energy: what is minimised, ``"area"`` or ``"dirichlet"``.
         tolerance: the relative decrease of the area that counts as none.
-        rim_tolerance: how far the rim may pass from curves that cannot be met exactly, a length.
+        rim_tolerance: how far the rim may pass from samples, a length; by default a ten-thousandth of the size.
         weld: how far apart ends may lie to be one point, a length.
-        corner_angle: turn in degrees above which a polyline has a corner.
+        corner_angle: turn in degrees above which a polyline has a corner; by default 44.
+        bound: whether a lower bound of the least area is proved, too: :attr:`Surface.lower_bound`.
         way: how a loop is cut: ``"grid"``, ``"midpoint"``, ``"ring"``, ``"turned-ring"``, ``"parts"``; by default whatever leads
             to the best surface.
         name: of the surface.
@@ -100,7 +103,7 @@ def fill(
     if not 1e-12 <= tolerance <= 1e-2:
         raise BoundaryError(f"tolerance {tolerance} is not offered; give one from 1e-12 to 1e-2")
     called = name or ("Least area" if energy == "area" else "Dirichlet")
-    options = Options(called, degree, energy, tolerance, rim_tolerance, weld, corner_angle, way, 16)
+    options = Options(called, degree, energy, tolerance, rim_tolerance, weld, corner_angle, bound, way, 16)
     if (loops is None) == (faces is None):
         raise BoundaryError("give either loops or faces")
     if faces is not None:

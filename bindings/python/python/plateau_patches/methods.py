@@ -29,6 +29,7 @@ def least_area(
     *,
     degree: int | None = None,
     tolerance: float | None = None,
+    bound: bool = False,
     progress: Told | None = None,
 ) -> Surface:
     """The tensor Bézier patch of least area over four sides.
@@ -39,6 +40,7 @@ def least_area(
         degree: of the patch, 64 at most: the larger of its two degrees. By default that of the sides; a higher one has less
             area, nearer to the least of all surfaces.
         tolerance: the relative decrease of the area that counts as none while points move along the surface.
+        bound: whether a lower bound of the least area is proved, too: :attr:`Surface.lower_bound`.
         progress: called with (what is done, steps, of how many) a few times a second.
 
     Raises:
@@ -52,7 +54,7 @@ def least_area(
     >>> round(patch.area, 6), patch.net.shape
     (7.383506, (9, 9, 3))
     """
-    method = {"name": "Least area", "energy": "area", "tolerance": tolerance}
+    method = {"name": "Least area", "energy": "area", "tolerance": tolerance, "bound": bound or None}
     return _solved(_sides(u0, u1, v0, v1), method, degree, progress=progress)
 
 

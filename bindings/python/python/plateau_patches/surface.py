@@ -19,7 +19,7 @@ from .mesh import Mesh
 from .report import Report
 
 # Entries of a record that are geometry or have attributes of their own.
-_NO_FIGURES = {"name", "net", "faces", "pieces", "domain", "files", "warnings", "patch", "basis"}
+_NO_FIGURES = {"name", "net", "faces", "pieces", "domain", "files", "warnings", "patch", "basis", "vertices", "lower_bound_proof"}
 
 
 class Kink(NamedTuple):
@@ -29,6 +29,15 @@ class Kink(NamedTuple):
     """The largest."""
     rms: float
     """The root of the mean of their squares over the length of the edges."""
+
+
+class LowerBound(NamedTuple):
+    """A proved bound of the least area."""
+
+    value: float
+    """The area, length². Proved: whatever rounding did is taken off."""
+    holds_for: str
+    """Which surfaces are meant."""
 
 
 class Face:
@@ -153,6 +162,19 @@ class Surface:
         a saddle. None where no area was minimised, or it cannot be trusted."""
         value = self._record.get("area_extremal", {}).get("second_variation")
         return None if value is None else float(value)
+
+    @property
+    def lower_bound(self) -> LowerBound | None:
+        """What no surface with the same rim is below, where ``bound=True`` asked for it and it was proved; else a warning says why
+        it was not.
+
+        >>> import plateau_patches as pp
+        >>> film = pp.fill([[[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]]], degree=8, bound=True)
+        >>> film.lower_bound.value < film.area < film.lower_bound.value + 1e-6, film.lower_bound.holds_for
+        (True, 'every surface with this rim')
+        """
+        bound = self._record.get("lower_bound")
+        return None if bound is None else LowerBound(bound, self._record["lower_bound_proof"]["holds_for"])
 
     @cached_property
     def faces(self) -> tuple[Face, ...]:
