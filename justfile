@@ -90,6 +90,8 @@ reliability: figures success-rates repeat kill
     cargo test --release -p plateau-solve --lib error
     cargo test --release -p plateau-record -p plateau-cli --test fixtures --test reproducibility --test crashes --test full_disk
     cargo test --release -p plateau-experiment -p plateau-record -p plateau-cli --test high_degree --test spec_corpus --test limits --test magnitudes --test degenerate -- --nocapture --test-threads 1
+    cargo run --release --quiet -p plateau-patches --example effectivity
+    if python3 -c 'import mpmath'; then python3 docs/reliability/certificates.py target/release/plateau; else echo "left out: certificates need mpmath"; fi
     cargo run --release --quiet -- reproduce
     if command -v evolver; then just evolver; else echo "left out: the Surface Evolver is not installed"; fi
     if command -v cargo-llvm-cov; then just coverage; else echo "left out: coverage needs cargo-llvm-cov"; fi

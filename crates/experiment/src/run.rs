@@ -117,6 +117,7 @@ fn films(experiment: &FilmExperiment, mesh: usize, progress: &dyn Progress) -> V
         let fill = Fill::default()
             .with_energy(method.energy)
             .with_tolerance(method.tolerance)
+            .with_accuracy(method.accuracy)
             .with_bound(method.bound)
             .with_mesh_in_all(mesh);
         let fill = method.degree.map_or(fill, |degree| fill.with_degree(degree));

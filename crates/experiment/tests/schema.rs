@@ -302,7 +302,7 @@ fn the_bounds_are_those_of_the_parser() {
                 };
                 let faults = |value: &str| {
                     let table = match (name, key.as_str()) {
-                        ("method", "degree" | "layers") => "method over loops",
+                        ("method", "degree" | "layers" | "accuracy") => "method over loops",
                         (name, _) => name,
                     };
                     let probe = probe(table, &format!("{key} = {value}"));

@@ -138,6 +138,9 @@ pub(crate) struct FillArguments {
     /// Degree of the patches; by default 6, or that of the curves where it is higher
     #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
     pub(crate) degree: Option<u16>,
+    /// Raise the degree until the area is estimated to lie less than this share above the least
+    #[arg(long, value_name = "SHARE", value_parser = accuracy)]
+    pub(crate) accuracy: Option<f64>,
     /// Prove a lower bound of the area, where the rim bounds a graph over a plane
     #[arg(long)]
     pub(crate) bound: bool,
@@ -200,6 +203,17 @@ fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if (0.0..=3.2e7).contains(&seconds) => Ok(seconds),
         _ => Err("this is no number of seconds from 0 to 3.2e7".to_owned()),
+    }
+}
+
+/// A share of the area.
+fn accuracy(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(share) if (1e-12..=1e-2).contains(&share) => Ok(share),
+        Ok(share) => {
+            Err(format!("{share} is not from 1e-12 to 1e-2: 1e-8 is a hundred millionth of the area"))
+        }
+        Err(_) => Err("this is not a number; 1e-8 is a hundred millionth of the area".to_owned()),
     }
 }
 

@@ -138,7 +138,10 @@ fn curves(files: &[PathBuf]) -> Result<CurveFile, Failure> {
 }
 
 fn spanned(frame: &Frame, arguments: &FillArguments) -> Result<Film, MethodError> {
-    let mut fill = Fill::default().with_bound(arguments.bound).with_mesh(arguments.mesh.into());
+    let mut fill = Fill::default()
+        .with_accuracy(arguments.accuracy)
+        .with_bound(arguments.bound)
+        .with_mesh(arguments.mesh.into());
     if let Some(degree) = arguments.degree {
         fill = fill.with_degree(degree.into());
     }
@@ -153,6 +156,9 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
     let mut row = |name: &str, value: String| line(stdout, &format!("{name:<16}{value}"));
     let area = film.figures.area;
     row("area", format!("{} ± {:.1e}", digits(area.value), area.error))?;
+    if let Some(estimate) = film.estimate {
+        row("least area", format!("about {estimate:.1e} less (estimated)"))?;
+    }
     if let Some(bound) = &film.bound {
         row("least area", format!("≥ {}, proved of {}", digits(bound.value), bound.competitors.name()))?;
     }

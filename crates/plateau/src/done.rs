@@ -23,6 +23,8 @@ pub struct Done {
     pub closed_form: Option<ClosedForm>,
     /// How its patches lie, for surfaces over loops and faces.
     pub film: Option<FilmFigures>,
+    /// What the area is above the least area of the boundary, where it was estimated.
+    pub estimate: Option<f64>,
     /// An area that no surface, or no graph, with the same rim is below, where it was asked for and proved.
     pub bound: Option<LowerBound>,
     /// What a reader must know about this method.
@@ -65,6 +67,16 @@ impl Done {
         let solved =
             Solved { surface, family, minimised: None, shape: None, solve: None, area: None, search: None };
         let warnings = trust::warnings(&solved, &figures, &Search::default());
-        Ok(Self { solved, mesh, figures, boundary, closed_form: None, film: None, bound: None, warnings })
+        Ok(Self {
+            solved,
+            mesh,
+            figures,
+            boundary,
+            closed_form: None,
+            film: None,
+            estimate: None,
+            bound: None,
+            warnings,
+        })
     }
 }

@@ -135,7 +135,17 @@ fn finish(
     let solved =
         Solved { surface, family, minimised: None, shape: None, solve: None, area: None, search: None };
     warnings.extend(trust::warnings(&solved, &figures, &Search::default()));
-    Ok(Done { solved, mesh, figures, boundary: None, closed_form, film: None, bound: None, warnings })
+    Ok(Done {
+        solved,
+        mesh,
+        figures,
+        boundary: None,
+        closed_form,
+        film: None,
+        estimate: None,
+        bound: None,
+        warnings,
+    })
 }
 
 /// What is to be said of an interval that one patch holds badly or not at all.

@@ -41,6 +41,7 @@ mod degenerate;
 mod degree_limit;
 mod done;
 mod error;
+mod excess;
 mod family;
 mod figures;
 mod film;
@@ -85,10 +86,12 @@ pub use film::{Fill, FillEnergy, Film, FilmFace, Tried, fill};
 pub use film_figures::FilmFigures;
 pub use helicoid::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium};
 pub use keeper::Keeper;
+pub(crate) use least_area::costs_less;
 pub use least_area::{
     AreaEnd, AreaEstimate, AreaExtremal, NoEstimate, Stage, Start, ValleyEnd, dirichlet_complex,
-    estimate_complex, estimate_net, estimate_triangle, least_area, least_area_complex, least_area_from,
-    least_area_raised, least_area_triangle, least_area_triangle_from, least_area_triangle_raised,
+    estimate_complex, estimate_net, estimate_triangle, excess_of_complex, excess_of_net, excess_of_triangle,
+    least_area, least_area_complex, least_area_from, least_area_raised, least_area_triangle,
+    least_area_triangle_from, least_area_triangle_raised,
 };
 pub use lower_bound::{CalibratedFace, Competitors, LowerBound, NoBound, lower_bound, lower_bound_of_net};
 pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};

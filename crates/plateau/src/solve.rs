@@ -2,6 +2,7 @@
 
 use surfaces::TensorPatch;
 
+use crate::excess::estimated;
 use crate::interior::{boundary_net, construct, extremal, triangle, with_shape};
 use crate::search::search;
 use crate::{
@@ -51,6 +52,8 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
     };
     let mut warnings = trust::warnings(&solved, &figures, &context.search);
+    let estimate =
+        estimated((&solved.surface, solved.family, solved.area.as_ref()), &mut warnings, context.progress)?;
     solved.surface = solved.surface.moved(origin)?;
     mesh.points.iter_mut().for_each(|p| *p += origin);
     let bound = match &solved.surface {
@@ -60,7 +63,7 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         }
         Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
     };
-    Ok(Done { solved, mesh, figures, boundary, closed_form: None, film: None, bound, warnings })
+    Ok(Done { solved, mesh, figures, boundary, closed_form: None, film: None, estimate, bound, warnings })
 }
 
 /// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.

@@ -1,11 +1,22 @@
 use thiserror::Error;
 
-use crate::{AreaEnd, Degeneracy, NoBound};
+use crate::{AreaEnd, Degeneracy, NoBound, NoEstimate};
 
 /// What a reader must know before trusting a surface or its figures; shown as one sentence.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
+    /// What the area is above the least could not be estimated.
+    #[error("how far above the least area of the boundary it lies is not known: {0}")]
+    NoEstimate(NoEstimate),
+    /// The area is not as near the least as was asked for.
+    #[error("at degree {degree} the area is not known to lie within {accuracy:.0e} of the least")]
+    Inaccurate {
+        /// The share that was asked for.
+        accuracy: f64,
+        /// The degree of the patches.
+        degree: usize,
+    },
     /// A lower bound was asked for and not proved.
     #[error("no lower bound of the area: {0}")]
     NoBound(NoBound),
@@ -294,6 +305,8 @@ impl Warning {
             }
             // Its own sentence says what to do.
             Self::BoxBinds { .. } | Self::Degenerate(_) | Self::CurveNearBound { .. } => None,
+            Self::NoEstimate(_) => Some("raise the degree"),
+            Self::Inaccurate { .. } => Some("give a higher degree"),
             Self::NoBound(_) | Self::Welded { .. } | Self::LeftOut { .. } | Self::SpanCut { .. } => None,
             Self::SpanNearBound { .. } => Some("shorten the interval, or lengthen it: then it is cut"),
             Self::CurveSingular { .. } => Some("leave out these samples"),

@@ -30,7 +30,9 @@ fn exactly(degree: usize) -> Fill {
 fn assert_area(name: &str, film: &Film, exact: f64, relative: f64) {
     let area = film.figures.area;
     assert!((area.value / exact - 1.0).abs() <= relative, "{name}: {} for {exact}", area.value);
-    assert!(area.settled && film.warnings.is_empty(), "{name}: {area:?} {:?}", film.warnings);
+    // That the gains of higher degrees do not fall off says nothing against the area.
+    let is_sound = film.warnings.iter().all(|warning| matches!(warning, Warning::NoEstimate(_)));
+    assert!(area.settled && is_sound, "{name}: {area:?} {:?}", film.warnings);
     let found = film.extremal.unwrap();
     assert_eq!(found.end, AreaEnd::Stationary, "{name}");
     assert!((found.area.value - area.value).abs() <= found.area.error + area.error, "{name}");

@@ -459,7 +459,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             Some(film) => finite(film.seams.jacobian_ratio),
             None => done.solved.area.map(|found| found.jacobian_ratio).and_then(finite),
         },
-        area_estimate: None,
+        area_estimate: done.estimate.and_then(finite),
         lower_bound: done.bound.as_ref().map(|bound| bound.value),
         lower_bound_proof: done.bound.as_ref().map(ProofEntry::new),
         spanned_one_by_one: film.and_then(|film| film.one_by_one).and_then(finite),

@@ -18,4 +18,4 @@ pub use page::{About, Comparison, Verdict, page};
 pub use picture::{PICTURES, Picture, pictures};
 pub use printable::{Printable, stand_ins, width_of_names};
 pub use scene::Scene;
-pub use table::{Cells, Column, WIDTH, grid, how_far, table};
+pub use table::{Cells, Column, WIDTH, grid, table};

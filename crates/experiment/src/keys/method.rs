@@ -222,6 +222,13 @@ pub(crate) static LAYERS: Key<Whole<usize>> =
     Key::new("layers", Whole::between(0, 1), "the number of graded layers of patches at the corners")
         .or("0")
         .over(&[LOOPS]);
+pub(crate) static ACCURACY: Key<Interval> = Key::new(
+    "accuracy",
+    Interval::between(1e-12, 1e-2),
+    "for energy = \"area\": the degree rises, to 14 at most, until the area is estimated to lie less than this share above the least",
+)
+.such_as("1e-8")
+.over(&[LOOPS]);
 pub(crate) static BOUND: Key<Flag> = Key::new(
     "bound",
     Flag,
@@ -252,6 +259,7 @@ pub(crate) static SECTION: Section = Section {
         &TOLERANCE,
         &DEGREE,
         &LAYERS,
+        &ACCURACY,
         &BOUND,
         &EXPECT,
         &PUBLISHED,

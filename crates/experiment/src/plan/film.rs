@@ -7,7 +7,7 @@ use plateau::{CurveGraph, Energy, FillEnergy, Loop};
 use super::Wanted;
 use super::expected::check::{Subject, wanted_of};
 use super::method::{Named, has_only_keys_over};
-use crate::keys::method::{BOUND, DEGREE, ENERGY, LAYERS, LOOPS, TOLERANCE};
+use crate::keys::method::{ACCURACY, BOUND, DEGREE, ENERGY, LAYERS, LOOPS, TOLERANCE};
 use crate::text::{Given, Table};
 
 /// Surfaces over loops or faces: one row of the table per method.
@@ -39,6 +39,8 @@ pub struct FilmMethod {
     pub degree: Option<usize>,
     /// For [`FillEnergy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
     pub tolerance: f64,
+    /// For [`FillEnergy::Area`]: the share of the least area that the area may lie above it, in [1e-12, 1e-2]; the degree rises for it.
+    pub accuracy: Option<f64>,
     /// Whether a lower bound is to be proved; only for [`FillEnergy::Area`].
     pub bound: bool,
 }
@@ -61,6 +63,7 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
     let tolerance_given = table.take(&TOLERANCE);
     let energy = energy(table, &table.take(&ENERGY));
     let tolerance = table.or_default(&TOLERANCE, &tolerance_given);
+    let accuracy_given = table.take(&ACCURACY);
     let bound_given = table.take(&BOUND);
     let bound = table.or_default(&BOUND, &bound_given);
     let only_of_areas = |key: &str, span: Option<Range<usize>>| match (span, energy) {
@@ -75,6 +78,7 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
         (Some(_) | None, _) => true,
     };
     let fits = only_of_areas("tolerance", tolerance_given.span())
+        & only_of_areas("accuracy", accuracy_given.span())
         & only_of_areas("bound", bound_given.span().filter(|_| bound == Some(true)));
     let wanted = wanted_of(table, Some(Subject::Film));
     layers?;
@@ -83,6 +87,7 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
         energy: energy?,
         degree: degree?.map(|degree| degree.into_inner()),
         tolerance: tolerance?,
+        accuracy: accuracy_given.known()?.map(|accuracy| accuracy.into_inner()),
         bound: bound?,
     };
     fits.then_some((method, wanted?))

@@ -3,11 +3,12 @@
 use surfaces::{BoundaryCurve, Complex, extent};
 
 use super::{Film, Tried, degree, pinch};
+use crate::excess::{estimated, told};
 use crate::surface::per_face;
 use crate::trust::of_film;
 use crate::{
-    AreaEnd, AreaExtremal, CurveGraph, CutBoundary, Cutting, CuttingError, Figures, Loop, MethodError,
-    Progress, Seams, Warning, Way, dirichlet_complex, least_area_complex, lower_bound,
+    AreaEnd, AreaExtremal, CurveGraph, CutBoundary, Cutting, CuttingError, Family, Figures, Loop,
+    MethodError, Progress, Seams, Surface, Warning, Way, dirichlet_complex, least_area_complex, lower_bound,
 };
 
 /// What is minimised.
@@ -34,10 +35,11 @@ pub enum FillEnergy {
 pub struct Fill {
     degree: Option<usize>,
     energy: FillEnergy,
-    tolerance: f64,
+    pub(super) tolerance: f64,
     rim_tolerance: Option<f64>,
     corner_angle: f64,
     way: Option<Way>,
+    accuracy: Option<f64>,
     bound: bool,
     mesh: Meshing,
 }
@@ -62,6 +64,7 @@ impl Default for Fill {
             rim_tolerance: None,
             corner_angle: Cutting::CORNER_ANGLE,
             way: None,
+            accuracy: None,
             bound: false,
             mesh: Meshing::PerPatch(16),
         }
@@ -120,6 +123,14 @@ impl Fill {
         self
     }
 
+    /// Raises the degree until the area is estimated to lie less than this share above the least, up to degree 14. The rim stays as it was met
+    /// at first.
+    #[must_use]
+    pub fn with_accuracy(mut self, accuracy: impl Into<Option<f64>>) -> Self {
+        self.accuracy = accuracy.into();
+        self
+    }
+
     /// Whether a lower bound of the area is to be proved, see [`lower_bound`].
     #[must_use]
     pub fn with_bound(mut self, bound: bool) -> Self {
@@ -162,7 +173,7 @@ impl Fill {
             let [first, second] = discs.map(|disc| disc.map(|(disc, _)| disc.area()));
             one_by_one = first?.zip(second?).map(|(first, second)| first + second);
         }
-        self.film(best, tried, one_by_one)
+        self.film(best, tried, one_by_one, progress)
     }
 
     /// The surface of the faces of a graph.
@@ -172,7 +183,7 @@ impl Fill {
     pub fn graph(&self, graph: &CurveGraph, progress: &dyn Progress) -> Result<Film, MethodError> {
         let curves = graph.curves().iter().map(|curve| &curve.curve);
         let cutting = self.cutting(curves, |cutting| cutting.graph(graph))?;
-        self.film(self.solved(&cutting.graph(graph)?, progress)?, Vec::new(), None)
+        self.film(self.solved(&cutting.graph(graph)?, progress)?, Vec::new(), None, progress)
     }
 
     fn cutting<'a>(
@@ -213,8 +224,13 @@ impl Fill {
         solution: Solution,
         tried: Vec<Tried>,
         one_by_one: Option<f64>,
+        progress: &dyn Progress,
     ) -> Result<Film, MethodError> {
-        let Solution { cut, complex, extremal, seams, .. } = solution;
+        let (solution, estimate) = match self.accuracy {
+            Some(accuracy) => self.accurate(accuracy, solution, progress)?,
+            None => (solution, None),
+        };
+        let Solution { cut, complex, extremal, seams } = solution;
         let mesh = complex.mesh(match self.mesh {
             Meshing::PerPatch(subdivisions) => subdivisions,
             Meshing::InAll(subdivisions) => per_face(&complex, subdivisions),
@@ -233,12 +249,24 @@ impl Fill {
             figures,
             seams,
             one_by_one,
+            estimate: None,
             bound: None,
             tried,
             mesh,
             warnings: Vec::new(),
         };
         film.warnings = film.warned()?;
+        let surface = Surface::Complex(film.complex.clone());
+        let found = (&surface, Family::Complex, film.extremal.as_ref());
+        film.estimate = match estimate {
+            Some(estimate) => told(estimate, &mut film.warnings),
+            None => estimated(found, &mut film.warnings, progress)?,
+        };
+        if let Some(accuracy) = self.accuracy
+            && film.estimate.is_none_or(|estimate| estimate > accuracy * film.figures.area.value)
+        {
+            film.warnings.push(Warning::Inaccurate { accuracy, degree: film.complex.degree() });
+        }
         if self.bound {
             match lower_bound(&film.complex) {
                 Ok(bound) => film.bound = Some(bound),
@@ -260,9 +288,9 @@ pub fn fill(loops: &[Loop], degree: usize) -> Result<Film, MethodError> {
 /// A cut boundary with the surface over it.
 pub(super) struct Solution {
     cut: CutBoundary,
-    complex: Complex,
-    extremal: Option<AreaExtremal>,
-    seams: Seams,
+    pub(super) complex: Complex,
+    pub(super) extremal: Option<AreaExtremal>,
+    pub(super) seams: Seams,
 }
 
 impl Solution {

@@ -1,5 +1,6 @@
 //! Surfaces over loops and graphs of curves.
 
+mod accuracy;
 mod degree;
 mod disc;
 mod fill;
@@ -36,6 +37,8 @@ pub struct Film {
     pub seams: Seams,
     /// For two loops and the least area: the area of the two surfaces that span each by itself.
     pub one_by_one: Option<f64>,
+    /// What the area is above the least area of the boundary, where it was estimated.
+    pub estimate: Option<f64>,
     /// An area that no surface, or no graph, with this rim is below, if it was asked for and proved.
     pub bound: Option<LowerBound>,
     /// Other ways of cutting that were tried, with what came of them; none unless the first left something to be desired.
@@ -85,6 +88,7 @@ impl Film {
             figures,
             seams,
             one_by_one,
+            estimate,
             bound,
             mesh,
             warnings,
@@ -118,6 +122,7 @@ impl Film {
             boundary: None,
             closed_form: None,
             film,
+            estimate,
             bound,
             warnings: all,
         }

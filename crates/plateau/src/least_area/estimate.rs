@@ -1,8 +1,11 @@
 //! How far a surface of least area lies above the least area of its border: from those of the next degrees.
 
+use energy::EnergyError;
+use solve::SolveError;
 use surfaces::{Complex, Net, TensorPatch, TriangleNet, TrianglePatch};
 use thiserror::Error;
 
+use super::assembly::{Assembly, Unknowns};
 use super::complex::Glued;
 use super::descent::Descent;
 use super::space::Space;
@@ -46,8 +49,12 @@ const STEPS: usize = 2;
 const FALLING: f64 = 0.4;
 const FALLING_TWO: f64 = 0.8;
 
-/// Share of the area below which a gain is rounding.
+/// Share of the area below which a gain is rounding, and that up to which an error of areas is called so.
 const ROUNDING: f64 = 1e-14;
+const CONVERGED: f64 = 1e-12;
+
+/// Gains are resolved from so many times the error of the areas on.
+const RESOLVED: f64 = 10.0;
 
 /// What the area of a complex of least area is above the least area of its rim. The complexes of the next degrees are reached from
 /// this one, which they hold; what they gain is continued as a geometric series (Aitken's Δ²).
@@ -95,6 +102,79 @@ pub fn estimate_triangle(
     })
 }
 
+/// Newton steps that an estimate makes at each of two degrees, about.
+const COUNTED: f64 = 4.0;
+
+/// Nodes up to which an estimate takes no time to speak of.
+const FEW: usize = 400;
+
+/// Whether an estimate costs less than the surface did: a step is counted with the sixth power of the degree, as its factorisations are.
+pub(crate) fn costs_less(degree: usize, faces: usize, found: &AreaExtremal) -> bool {
+    let step = |degree: usize| (degree as f64 + 1.0).powi(6);
+    let is_small = faces * (degree + 3).pow(2) <= FEW;
+    is_small || COUNTED * (step(degree + 1) + step(degree + 2)) <= found.iterations as f64 * step(degree)
+}
+
+/// Degrees that a surface is raised by to see what it lacks.
+const RICHER: usize = 2;
+
+/// A decrement of a larger share of the area says nothing: the area is no parabola as far as that.
+const NEAR: f64 = 0.25;
+
+/// What the area of any Bernstein–Bézier patch is above the least area of its border, about: half of `gᵀH⁻¹g`, with the gradient g and the
+/// Hessian H of the area in displacements along the normals of two degrees more. None where the surface is singular, H not positive
+/// definite, or the least area too far. For surfaces of least area of their degree it is too small.
+///
+/// # Errors
+/// As [`least_area`](super::least_area).
+pub fn excess_of_net(net: &Net) -> Result<Option<f64>, MethodError> {
+    let raised = TensorPatch::bernstein(net.raised(RICHER))?;
+    excess(&Separated::new(&raised, &raised.products()[0])?, &raised)
+}
+
+/// As [`excess_of_net`], of a triangular patch.
+///
+/// # Errors
+/// As [`least_area`](super::least_area).
+pub fn excess_of_triangle(net: &TriangleNet) -> Result<Option<f64>, MethodError> {
+    let raised = TrianglePatch::new(net.raised(RICHER)?)?;
+    excess(&Triangular::new(raised.net())?, &raised)
+}
+
+/// As [`excess_of_net`], of a complex.
+///
+/// # Errors
+/// As [`least_area_complex`](super::least_area_complex).
+pub fn excess_of_complex(complex: &Complex) -> Result<Option<f64>, MethodError> {
+    let raised = complex.with_degree(complex.degree() + RICHER)?;
+    excess(&Glued::new(&raised)?, &raised)
+}
+
+fn excess<S: Space>(space: &S, surface: &S::Surface) -> Result<Option<f64>, MethodError> {
+    let mut descent = Descent::new(space, 1e-6, &())?;
+    let here = descent.rules.settled(space.nodes(surface)?)?;
+    let (cell, topology) = (descent.rules.cell(here.points)?, space.topology());
+    let assembly = Assembly { topology, cell: cell.as_ref() };
+    let slopes = match assembly.gradient(&here.tangents) {
+        Err(EnergyError::Singular { .. }) => return Ok(None),
+        slopes => slopes?,
+    };
+    let unknowns = Unknowns::new(topology, descent.normals(&here.x)?)?;
+    if unknowns.count() == 0 {
+        return Ok(None);
+    }
+    let (gradient, hessians) = (unknowns.gather(&slopes), unknowns.hessians(&assembly, &here.tangents)?);
+    let mut step = gradient.clone();
+    match unknowns.condensation().factor(&hessians) {
+        Ok(factor) => factor.solve(1, &mut step)?,
+        Err(SolveError::NotPositiveDefinite { .. }) => return Ok(None),
+        Err(error) => return Err(error.into()),
+    }
+    let decrement = 0.5 * step.iter().zip(&gradient).map(|(d, g)| d * g).sum::<f64>();
+    let is_known = here.settled && decrement > ROUNDING * here.area() && decrement <= NEAR * here.area();
+    Ok(is_known.then(|| decrement * space.frame().unit().powi(2)))
+}
+
 /// A surface of a degree, with its area and the error of that.
 type Improved<P> = (P, f64, f64);
 
@@ -123,23 +203,21 @@ fn sequence<P>(
     let area = found.area.value;
     let (one, first, first_error) = next(&surface)?;
     let (two, second, second_error) = next(&one)?;
-    let mut error = found.area.error.max(first_error).max(second_error).max(ROUNDING * area);
+    let error = found.area.error.max(first_error).max(second_error).max(ROUNDING * area);
     let (mut gained, mut then) = (area - first, first - second);
-    if gained + then <= error {
-        return Ok(Ok(error));
+    if gained + then <= RESOLVED * error {
+        let is_rounding = error <= CONVERGED * area;
+        let gained = (gained + then).max(error);
+        return Ok(if is_rounding { Ok(gained) } else { Err(NoEstimate::Unresolved { gained, error }) });
     }
     if then > FALLING * gained {
         // What is symmetric gains at every second degree only, and what falls off slowly is continued from further on.
         let (three, ..) = next(&two)?;
-        let (_, fourth, fourth_error) = next(&three)?;
-        error = error.max(fourth_error);
+        let (_, fourth, _) = next(&three)?;
         (gained, then) = (area - second, second - fourth);
     }
     if then > FALLING_TWO * gained {
         return Ok(Err(NoEstimate::Slow { first: gained, second: then }));
-    }
-    if gained + then <= 4.0 * error {
-        return Ok(Err(NoEstimate::Unresolved { gained: gained + then, error }));
     }
     Ok(Ok(gained / (1.0 - then.max(0.0) / gained)))
 }

@@ -24,7 +24,11 @@ mod triangle;
 use energy::Integral;
 use surfaces::{Complex, Point, TensorPatch, TrianglePatch};
 
-pub use estimate::{AreaEstimate, NoEstimate, estimate_complex, estimate_net, estimate_triangle};
+pub(crate) use estimate::costs_less;
+pub use estimate::{
+    AreaEstimate, NoEstimate, estimate_complex, estimate_net, estimate_triangle, excess_of_complex,
+    excess_of_net, excess_of_triangle,
+};
 pub use outcome::{AreaEnd, AreaExtremal, Stage, Start, ValleyEnd};
 pub use raised::{least_area_raised, least_area_triangle_raised};
 

@@ -12,6 +12,5 @@ pub(crate) mod standing;
 pub use cells::Cells;
 pub use column::Column;
 pub use grid::grid;
-pub use how_far::how_far;
 pub(crate) use patch_table::notes;
 pub use patch_table::{WIDTH, table};

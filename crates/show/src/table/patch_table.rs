@@ -6,7 +6,7 @@ use super::cells::cells;
 use super::curve_table::{samples, summary};
 use super::figure::Place;
 use super::grid::grid;
-use super::how_far::how_far;
+use super::how_far::{how_far, losses};
 use crate::Printable;
 use crate::printable::columns;
 use plateau::Results;
@@ -79,6 +79,7 @@ pub(crate) fn notes(results: &Results) -> Vec<String> {
             Err(error) => notes.push(format!("failed: {name}: {error}")),
         }
     }
+    notes.extend(losses(results).map(|losses| format!("note: {losses}")));
     notes.extend(results.warnings.iter().map(|warning| format!("note: {warning}")));
     notes
 }
