@@ -186,6 +186,28 @@ fn straight_sides_are_straight_whatever_the_degree() {
 }
 
 #[test]
+fn an_imported_experiment_asks_for_what_is_offered_at_its_degree() {
+    // Sides as control points of any degree: what is printed is an experiment that `run` takes.
+    let side = |name: &str, from: [f64; 2], to: [f64; 2], degree: usize| -> String {
+        let at = |k: usize, i: usize| from[i] + (to[i] - from[i]) * k as f64 / degree as f64;
+        (0..=degree).map(|k| format!("{name},{:?},{:?},0\n", at(k, 0), at(k, 1))).collect()
+    };
+    let [a, b, c, d] = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];
+    for degree in [1, 18, 19, 24, 25, 32, 33, 64] {
+        let around = |corners: &[[f64; 2]]| -> String {
+            let ends = corners.iter().zip(corners.iter().cycle().skip(1)).enumerate();
+            ends.map(|(k, (from, to))| side(&format!("s{k}"), *from, *to, degree)).collect()
+        };
+        for (corners, limit) in [(&[a, b, c][..], 18), (&[a, b, c, d][..], 32)] {
+            let text = of_control_points("sides.csv", &around(corners));
+            assert_eq!(text.contains("energy = \"area\""), degree <= limit, "{text}");
+            assert_eq!(text.contains("# no least area of degree"), degree > limit, "{text}");
+            Plan::parse("sides.toml", &text).unwrap_or_else(|refusal| panic!("{}", refusal.render(false)));
+        }
+    }
+}
+
+#[test]
 fn ends_are_welded_within_a_share_of_the_size() {
     let text = nozzle().replace("outlet,2,0,0", "outlet,2,0.0001,0");
     let found = imported("sloppy.csv", &text, Some(5)).unwrap();

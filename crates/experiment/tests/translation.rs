@@ -33,6 +33,20 @@ const TENSOR_METHODS: &[&str] = &[
     "patch = \"tb-coons\"\nshape = [1, 2, 0.5, 3]\nenergy = \"laplacian\"",
 ];
 
+/// Two sides of a harmonic net; the others are found.
+const ROWS_METHODS: &[&str] = &[
+    "construction = \"harmonic\"",
+    "construction = \"harmonic\"\nbasis = \"gt\"\nsearch = \"polish\"\nsearch-energy = \"laplacian\"",
+];
+
+/// Methods whose points slide within the surface: what the rounding of a frame does to their other figures is not bounded.
+const TENSOR_AREAS: &[&str] = &[
+    "energy = \"area\"\nraise = 4",
+    "energy = \"area\"\nraise = 3\ntolerance = 1e-7",
+    "basis = \"gt\"\nshape = [1, 2, 0.5, 3]\nenergy = \"area\"",
+    "patch = \"tb-coons\"\nshape = [1, 2, 0.5, 3]\nenergy = \"area\"",
+];
+
 const TRIANGLE: [(&str, &[[f64; 3]]); 3] = [
     ("ab", &[[0.0, 0.0, 0.0], [2.0, -1.0, 3.0], [4.0, 0.5, -1.0], [6.0, 0.0, 0.0]]),
     ("bc", &[[6.0, 0.0, 0.0], [5.0, 2.0, 2.0], [3.5, 4.0, 2.0], [2.0, 6.0, 1.0]]),
@@ -44,6 +58,8 @@ const TRIANGLE_METHODS: &[&str] = &[
     "energy = \"laplacian\"\nraise = 4",
     "energy = \"bending\"\nraise = 4",
     "energy = \"coons\"",
+    "energy = \"dirichlet\"\ndomain = \"equilateral\"",
+    "energy = \"bending\"\ndomain = \"equilateral\"\nraise = 3",
     "energy = \"area\"\nraise = 2",
     "energy = \"dirichlet\"\nmetric-steps = 2",
     "mask = 0.1",
@@ -57,6 +73,16 @@ fn moved(sides: &[(&str, &[[f64; 3]])], by: [f64; 3]) -> String {
         format!("{name} = [{}]\n", points.iter().map(point).collect::<Vec<_>>().join(", "))
     };
     sides.iter().map(side).collect()
+}
+
+/// Five skew edges, as a loop of sides.
+const LOOP: [[f64; 3]; 5] =
+    [[0.0, 0.0, 0.0], [4.0, 0.0, 1.0], [6.0, 3.0, -1.0], [2.5, 6.0, 2.0], [-1.0, 3.0, 0.5]];
+
+/// The loop as a polygon, moved.
+fn polygon(by: [f64; 3]) -> String {
+    let points: Vec<[f64; 3]> = LOOP.iter().map(|p| [p[0] + by[0], p[1] + by[1], p[2] + by[2]]).collect();
+    format!("polygon = {points:?}\n")
 }
 
 fn results(boundary: &str, methods: &[&str]) -> Finished {
@@ -93,7 +119,13 @@ fn figures(done: &Done) -> Vec<(&'static str, f64)> {
 }
 
 fn compare(sides: &[(&str, &[[f64; 3]])], methods: &[&str], by: [f64; 3], tolerance: f64) {
-    let (near, far) = (results(&moved(sides, [0.0; 3]), methods), results(&moved(sides, by), methods));
+    // Two sides leave the degree across them open.
+    let sides = |by| moved(sides, by) + if sides.len() == 2 { "u-degree = 3\n" } else { "" };
+    compare_boundaries(sides, methods, by, tolerance);
+}
+
+fn compare_boundaries(boundary: impl Fn([f64; 3]) -> String, methods: &[&str], by: [f64; 3], tolerance: f64) {
+    let (near, far) = (results(&boundary([0.0; 3]), methods), results(&boundary(by), methods));
     for ((near, far), method) in near.results.methods.iter().zip(&far.results.methods).zip(methods) {
         let (Ok(near), Ok(far)) = (&near.outcome, &far.outcome) else {
             panic!("{method} moved by {by:?}: {:?}", far.outcome.as_ref().err())
@@ -120,11 +152,37 @@ fn nothing_depends_on_the_distance_from_the_origin() {
     // Moved exactly: the same numbers relative to the anchor, and then the same figures.
     let far = [131_072.0, -16_777_216.0, 16_777_216.0 + 4096.0];
     compare(&TENSOR, TENSOR_METHODS, far, 1e-13);
+    compare(&TENSOR, TENSOR_AREAS, far, 1e-13);
     compare(&TRIANGLE, TRIANGLE_METHODS, far, 1e-13);
+    compare(&TENSOR[..2], ROWS_METHODS, far, 1e-13);
     // Map coordinates, to which the frame itself is rounded: 2^-31 of a length of 5, 2^-33 of second derivatives.
     let map = [388_096.37, -3_948_996.1, 77.7];
     compare(&TENSOR, TENSOR_METHODS, map, 1e-7);
     compare(&TRIANGLE, TRIANGLE_METHODS, map, 1e-7);
+}
+
+#[test]
+fn films_depend_on_the_distance_from_the_origin_by_rounding_alone() {
+    // Loops are cut where they lie: points of the cut, and with them the film, are rounded to 2^-35 there, in a size of 7; second
+    // differences of degree 6 weigh that thirty times.
+    let far = [131_072.0, -262_144.0, 4096.0];
+    compare_boundaries(polygon, &["energy = \"dirichlet\""], far, 1e-7);
+    compare_boundaries(polygon, &["energy = \"dirichlet\""], [388_096.37, -3_948_996.1, 77.7], 1e-7);
+}
+
+#[test]
+fn a_film_far_away_is_not_said_to_fold() {
+    let finished = |by| results(&polygon(by), &["energy = \"area\""]);
+    let area = |finished: &Finished| {
+        let done = finished.results.methods[0].outcome.as_ref().unwrap();
+        assert!(done.warnings.is_empty(), "{:?}", done.warnings);
+        done.figures.area.value
+    };
+    let near = area(&finished([0.0; 3]));
+    for by in [[1e6, 1e6, 0.0], [134_217_728.0, -268_435_456.0, 0.0]] {
+        let far = area(&finished(by));
+        assert!((far / near - 1.0).abs() < 1e-7, "at {by:?}: {far}, not {near}");
+    }
 }
 
 #[test]

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use command::{Arguments, Command, Failure, say};
+use show::Printable;
 
 mod bars;
 mod batch;
@@ -17,7 +18,7 @@ mod outlet;
 mod verify;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = Arguments::try_parse().unwrap_or_else(|error| refused(error));
     let mut stdout = io::stdout().lock();
     let outcome = perform(arguments.command, &mut stdout).and_then(|()| Ok(stdout.flush()?));
     match outcome {
@@ -32,6 +33,12 @@ fn main() -> ExitCode {
             ExitCode::from(1)
         }
     }
+}
+
+/// Says why arguments are refused, which it quotes: controls in them are shown, not sent to the terminal.
+fn refused(error: clap::Error) -> ! {
+    let shown = std::env::args_os().map(|argument| Printable(&argument.to_string_lossy()).to_string());
+    Arguments::try_parse_from(shown).err().unwrap_or(error).exit()
 }
 
 fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {

@@ -161,29 +161,32 @@ fn run_in(mebibytes: usize, text: &str) -> (Option<i32>, String) {
 
 #[test]
 fn lack_of_memory_is_an_error_of_the_method_that_lacks_it() {
-    let side = |of: &dyn Fn(f64) -> [f64; 3]| {
-        format!("{:?}", (0..=60).map(|k| of(f64::from(k) / 60.0)).collect::<Vec<_>>())
+    let boundary = |degree: u8| {
+        let side = |of: &dyn Fn(f64) -> [f64; 3]| {
+            format!("{:?}", (0..=degree).map(|k| of(f64::from(k) / f64::from(degree))).collect::<Vec<_>>())
+        };
+        format!(
+            "title = \"x\"\n[boundary]\nu0 = {}\nu1 = {}\nv0 = {}\nv1 = {}\n",
+            side(&|t| [0.0, t, 0.0]),
+            side(&|t| [1.0, t, t]),
+            side(&|t| [t, 0.0, 0.0]),
+            side(&|t| [t, 1.0, t])
+        )
     };
-    let boundary = format!(
-        "title = \"x\"\n[boundary]\nu0 = {}\nu1 = {}\nv0 = {}\nv1 = {}\n",
-        side(&|t| [0.0, t, 0.0]),
-        side(&|t| [1.0, t, t]),
-        side(&|t| [t, 0.0, 0.0]),
-        side(&|t| [t, 1.0, t])
-    );
     let small = "[[method]]\nname = \"small\"\nconstruction = \"discrete-coons\"\n";
     let output = "[output]\nmesh = 2\npictures = false\n";
-    for (name, large, output, at_least) in [
-        ("dense", "energy = \"bending\"\nsolver = \"dense\"", output, "about 8"),
-        ("area", "energy = \"area\"", output, "about 3"),
+    for (name, degree, large, output, at_least) in [
+        ("dense", 60, "energy = \"bending\"\nsolver = \"dense\"", output, "about 8"),
+        ("area", 30, "energy = \"area\"", output, "about 2"),
         (
             "mesh",
+            60,
             "construction = \"discrete-coons\"",
             "[output]\nmesh = 1400\npictures = false\n",
             "about 25",
         ),
     ] {
-        let text = format!("{boundary}{small}[[method]]\nname = \"large\"\n{large}\n{output}");
+        let text = format!("{}{small}[[method]]\nname = \"large\"\n{large}\n{output}", boundary(degree));
         for mebibytes in [64, 100, 200] {
             let (status, said) = run_in(mebibytes, &text);
             assert_eq!(status, Some(1), "{name} in {mebibytes} MiB: {said}");
@@ -198,9 +201,36 @@ fn lack_of_memory_is_an_error_of_the_method_that_lacks_it() {
         }
     }
     // Extremals that are solved direction by direction need none of it.
+    let boundary = boundary(60);
     let text = format!("{boundary}{small}[[method]]\nname = \"large\"\nenergy = \"bending\"\n{output}");
     let (status, said) = run_in(100, &text);
     assert_eq!(status, Some(0), "{said}");
+}
+
+#[test]
+fn lack_of_memory_for_a_mesh_is_said_by_export() {
+    let folder = tempfile::tempdir().unwrap();
+    let method = "[[method]]\nname = \"m\"\nenergy = \"dirichlet\"\n";
+    fs::write(folder.path().join("m.toml"), format!("{NET}{method}[output]\nmesh = 2\npictures = false\n"))
+        .unwrap();
+    let shell = |script: &str| {
+        Command::new("sh")
+            .args(["-c", &format!("ulimit -c 0; {script}"), env!("CARGO_BIN_EXE_plateau")])
+            .current_dir(folder.path())
+            .output()
+            .expect("a shell")
+    };
+    assert!(shell("\"$0\" run m.toml --out out").status.success());
+    for format in ["obj", "ply", "stl", "glb", "vtu"] {
+        let output = shell(&format!(
+            "ulimit -v 100000; exec \"$0\" export out/m/result.json --format {format} --mesh 2000 --out x.{format}"
+        ));
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert!(said.starts_with(&format!("error: x.{format}: not written: out of memory: ")), "{said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
+        assert!(!folder.path().join(format!("x.{format}")).exists());
+    }
 }
 
 #[test]

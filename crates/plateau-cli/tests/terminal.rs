@@ -96,6 +96,18 @@ fn names_of_files_are_shown_escaped() {
 }
 
 #[test]
+fn arguments_that_are_refused_are_shown_escaped() {
+    let folder = tempfile::tempdir().unwrap();
+    let harm = "\u{1b}[31m\u{9b}2J\u{202e}x\nexpected numbers: 99 of 99 met";
+    let option = format!("--{harm}");
+    for arguments in [&[harm][..], &["run", &option], &["run", "a.toml", "--threads", harm], &["new", harm]] {
+        let output = plateau(arguments, folder.path());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(shown(&output).contains(r"\u001b[31m"), "{}", shown(&output));
+    }
+}
+
+#[test]
 fn one_long_name_does_not_widen_the_rows_of_the_others() {
     let folder = tempfile::tempdir().unwrap();
     let long = "x".repeat(100_000);

@@ -4,8 +4,8 @@ use thiserror::Error;
 
 use crate::{Energy, Interior, Method, Patch, Shape};
 
-/// What is offered to a lower degree than [`MAX_DEGREE`](crate::MAX_DEGREE), because its system is solved in control points: their condition is beyond
-/// double precision at the next degrees, whatever the boundary.
+/// What is offered to a lower degree than [`MAX_DEGREE`](crate::MAX_DEGREE). Where its system is solved in control points, their condition is beyond
+/// double precision at the next degrees, whatever the boundary; least areas would besides take minutes and gigabytes to say so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum DegreeLimit {
     /// Extremals of quadratic energies over a triangle.
@@ -17,6 +17,12 @@ pub enum DegreeLimit {
     /// Harmonic nets, found by singular values of all relations: O(degree⁶).
     #[error("harmonic nets are offered to degree {}", self.degree())]
     Harmonic,
+    /// Least areas of tensor nets: at degree 32 the rounding of control points may be seen in the seventh digit of the area, at 40 nothing else.
+    #[error("least areas are offered to degree {}", self.degree())]
+    LeastArea,
+    /// Least areas over a triangle, whose tables of all basis functions at all points grow with the fourth power of the degree.
+    #[error("least areas over triangles are offered to degree {}", self.degree())]
+    TriangularLeastArea,
     /// Searches for the shape that minimises another energy than the extremal does.
     #[error("a shape that minimises another energy than the extremal does is searched to degree {}", self.degree())]
     OtherSearchEnergy,
@@ -30,6 +36,8 @@ impl DegreeLimit {
             Self::Triangle => 24,
             Self::MetricSteps => 13,
             Self::Harmonic => 20,
+            Self::LeastArea => 32,
+            Self::TriangularLeastArea => 18,
             Self::OtherSearchEnergy => 16,
         }
     }
@@ -45,7 +53,10 @@ impl Method {
     #[must_use]
     pub fn degree_limit(&self) -> Option<DegreeLimit> {
         match self.interior {
-            Interior::Extremal { energy: Energy::Area, .. } => None,
+            Interior::Extremal { energy: Energy::Area, .. } if self.patch == Patch::Triangle => {
+                Some(DegreeLimit::TriangularLeastArea)
+            }
+            Interior::Extremal { energy: Energy::Area, .. } => Some(DegreeLimit::LeastArea),
             Interior::Extremal { .. } if self.patch == Patch::Triangle => Some(DegreeLimit::Triangle),
             Interior::Extremal { metric_steps, .. } if metric_steps > 0 => Some(DegreeLimit::MetricSteps),
             Interior::Extremal { energy, .. }

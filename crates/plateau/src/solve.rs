@@ -41,7 +41,6 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     if cancellation > WORST_CANCELLATION {
         return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
     }
-    memory::holds(memory::of_mesh(context.mesh))?;
     let mut mesh = solved.surface.mesh(context.mesh)?;
     context.progress.begin(&format!("figures of {}", method.name), None);
     let figures = figures(&solved, &mesh, origin);

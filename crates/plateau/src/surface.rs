@@ -1,6 +1,8 @@
 //! Patches of any kind.
 
-use surfaces::{Complex, ComplexError, Mesh, Patch, Pieces, Point, SurfaceError, TensorPatch, TrianglePatch};
+use surfaces::{Complex, Mesh, Patch, Pieces, Point, SurfaceError, TensorPatch, TrianglePatch};
+
+use crate::{MethodError, memory};
 
 /// A patch of any kind.
 #[derive(Debug, Clone)]
@@ -95,8 +97,9 @@ impl Surface {
     /// Its triangle mesh, of `subdivisions` steps of each parameter; of a complex, with about as many vertices in all.
     ///
     /// # Errors
-    /// [`ComplexError::TooLarge`] for a complex of more faces than a mesh holds.
-    pub fn mesh(&self, subdivisions: usize) -> Result<Mesh, ComplexError> {
+    /// [`MethodError::OutOfMemory`] if there is no room for it, [`MethodError::Complex`] for a complex of more faces than a mesh holds.
+    pub fn mesh(&self, subdivisions: usize) -> Result<Mesh, MethodError> {
+        memory::holds(memory::of_mesh(subdivisions))?;
         match self {
             Self::Tensor(patch) => Ok(Mesh::of(patch, subdivisions)),
             Self::Triangle(patch) => Ok(Mesh::of(patch, subdivisions)),

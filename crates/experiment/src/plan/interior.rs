@@ -174,7 +174,9 @@ impl Draft<'_> {
             return true;
         }
         let key = match limit {
-            DegreeLimit::Triangle => self.energy.span(),
+            DegreeLimit::Triangle | DegreeLimit::LeastArea | DegreeLimit::TriangularLeastArea => {
+                self.energy.span()
+            }
             DegreeLimit::MetricSteps => self.metric_steps.span(),
             DegreeLimit::Harmonic => self.construction.span(),
             DegreeLimit::OtherSearchEnergy => self.search_energy.span(),
@@ -189,9 +191,15 @@ impl Draft<'_> {
                 "write mask = \"dirichlet\" or construction = \"discrete-coons\", which are sound at higher degrees"
             }
             DegreeLimit::MetricSteps => {
-                "write energy = \"area\" without `metric-steps`: it goes farther than any number of steps, at every degree"
+                "write energy = \"area\" without `metric-steps`: it goes farther than any number of steps, to degree 32"
             }
             DegreeLimit::Harmonic => "write energy = \"laplacian\" over all four sides",
+            DegreeLimit::LeastArea => {
+                "describe the sides with fewer control points (`plateau import --degree 6` fits them), or write energy = \"dirichlet\", which goes on to degree 64"
+            }
+            DegreeLimit::TriangularLeastArea => {
+                "describe the sides with fewer control points, or write mask = \"dirichlet\", which is sound at higher degrees"
+            }
             DegreeLimit::OtherSearchEnergy => {
                 "leave out `search-energy`: then the shape minimises the energy of the extremal, at every degree"
             }

@@ -1,9 +1,10 @@
 //! From loops or a graph of curves to the surface that spans them.
 
-use surfaces::{BoundaryCurve, Complex, extent};
+use surfaces::{BoundaryCurve, Complex, anchor, extent};
 
 use super::{Film, Tried, degree, pinch};
 use crate::excess::{estimated, told};
+use crate::memory;
 use crate::surface::per_face;
 use crate::trust::of_film;
 use crate::{
@@ -231,13 +232,17 @@ impl Fill {
             None => (solution, None),
         };
         let Solution { cut, complex, extremal, seams } = solution;
-        let mesh = complex.mesh(match self.mesh {
+        let subdivisions = match self.mesh {
             Meshing::PerPatch(subdivisions) => subdivisions,
             Meshing::InAll(subdivisions) => per_face(&complex, subdivisions),
-        })?;
-        let patches =
-            (0..complex.faces().len()).map(|face| complex.patch(face)).collect::<Result<Vec<_>, _>>()?;
-        let patches: Vec<&dyn surfaces::Patch> = patches.iter().map(|patch| patch as _).collect();
+        };
+        memory::holds(memory::of_mesh(subdivisions).saturating_mul(complex.faces().len()))?;
+        let mesh = complex.mesh(subdivisions)?;
+        // Far from the origin the rounding of jets would be taken for what an area has not settled by.
+        let origin = anchor(complex.points());
+        let near = |face| Ok(Surface::Tensor(complex.patch(face)?).moved(-origin)?);
+        let patches = (0..complex.faces().len()).map(near).collect::<Result<Vec<_>, MethodError>>()?;
+        let patches: Vec<&dyn surfaces::Patch> = patches.iter().filter_map(Surface::patch).collect();
         let figures = Figures::of_all(&patches, &mesh.mesh)?;
         let mut film = Film {
             names: cut.names().to_vec(),

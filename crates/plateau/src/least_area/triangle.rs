@@ -7,7 +7,7 @@ use surfaces::{Patch, Point, SurfaceError, TriangleBasis, TriangleNet, TriangleP
 use super::family::inverse;
 use super::space::{Frame, Space, Topology};
 use super::tensor::times;
-use crate::MethodError;
+use crate::{MethodError, memory};
 
 /// Triangular patches over one border.
 pub(super) struct Triangular {
@@ -54,6 +54,8 @@ impl Triangular {
     }
 
     fn sampled(&self, parameters: Vec<[f64; 2]>, weights: Vec<f64>) -> Result<Box<dyn Cell>, MethodError> {
+        // Three tables of points × nodes, once in the basis and once at the nodes.
+        memory::holds(6 * size_of::<f64>() * parameters.len() * self.parameters.len())?;
         let [values, by_u, by_v] = tables(&self.basis, &parameters).map(|table| table.times(&self.back));
         Ok(Box::new(SampledCell::new(parameters, weights, values, [by_u, by_v])?))
     }
