@@ -109,6 +109,21 @@ quantities! {
         });
     Deviation = "deviation", "deviation", 1, "the largest distance to the closed form on the mesh, length; helicoids only",
         |done, _| done.closed_form.map(|form| form.deviation.into());
+    Kink = "kink", "kink.max", 0,
+        "the largest angle between the tangent planes of two patches along an edge where they should meet smoothly, radians",
+        |done, _| done.film.as_ref()?.seams.kink.map(|kink| kink.max.into());
+    RimDeviation = "rim-deviation", "rim_deviation", 1,
+        "how far the rim of a surface over loops or faces lies from the curves that were given, length",
+        |done, _| done.film.as_ref().map(|film| film.rim.largest.into());
+    JacobianRatio = "jacobian-ratio", "jacobian_ratio", 0,
+        "the least over the mean of the area that a piece of the parameters becomes, of least areas and of surfaces of several patches",
+        |done, _| match &done.film {
+            Some(film) => Some(film.seams.jacobian_ratio.into()),
+            None => done.solved.area.as_ref().map(|found| found.jacobian_ratio.into()),
+        };
+    SpannedOneByOne = "spanned-one-by-one", "spanned_one_by_one", 2,
+        "the least area of two loops, each spanned by itself, length²",
+        |done, _| done.film.as_ref()?.one_by_one.map(Into::into);
     Shape[k] = "shape", "shape", 0, "the shape parameters: one number for all of them, or a list",
         |done, index| done.solved.shape.and_then(|shape| shape.get(index).copied()).map(Into::into);
     SearchMinimum = "search-minimum", "search.minimum", 2, "the least best value of the search's runs",

@@ -13,6 +13,8 @@ pub struct Seams {
     /// The angles between the normals across the free edges of two faces, where a smooth surface has none; on a wire it may
     /// have any. None if there is no such edge, or a patch is singular inside one.
     pub kink: Option<Kink>,
+    /// The largest of those angles on each edge; none for edges of one face or of more than two, fixed ones, and singular ones.
+    pub kinks: Vec<Option<f64>>,
     /// An edge inside which a patch has no normal, so that no kink is given.
     pub singular_edge: Option<usize>,
     /// The least over the mean of `|x_u × x_v|` at the points of a rule over all faces; 0 where the parametrisation is
@@ -45,9 +47,12 @@ impl Seams {
         let patches =
             (0..complex.faces().len()).map(|face| complex.patch(face)).collect::<Result<Vec<_>, _>>()?;
         let rule = GaussLegendre::new(PER_DEGREE * complex.degree() + 4)?;
-        let (kink, singular_edge) = kink(complex, &patches, &rule);
+        let kinks: Vec<Option<Across>> =
+            (0..complex.edges().len()).map(|edge| Across::of(complex, &patches, &rule, edge)).collect();
+        let (kink, singular_edge) = kink(&kinks);
+        let kinks = kinks.iter().map(|across| across.as_ref().and_then(|across| across.max)).collect();
         let (jacobian_ratio, folded) = jacobian(&patches, &rule);
-        Ok(Self { kink, singular_edge, jacobian_ratio, folded })
+        Ok(Self { kink, kinks, singular_edge, jacobian_ratio, folded })
     }
 }
 
@@ -63,25 +68,50 @@ impl Seams {
     }
 }
 
-fn kink(complex: &Complex, patches: &[TensorPatch], rule: &GaussLegendre) -> (Option<Kink>, Option<usize>) {
-    let (mut worst, mut squares, mut length): (Option<Kink>, f64, f64) = (None, 0.0, 0.0);
-    for (number, edge) in complex.edges().iter().enumerate() {
-        let ([a, b], false) = (edge.uses(), edge.is_fixed()) else { continue };
+/// The angles across one free edge of two faces.
+struct Across {
+    /// The largest; none if a patch is singular inside the edge.
+    max: Option<f64>,
+    /// ∫ angle² ds.
+    squares: f64,
+    /// ∫ ds.
+    length: f64,
+}
+
+impl Across {
+    /// None of an edge that is fixed or has not two faces.
+    fn of(complex: &Complex, patches: &[TensorPatch], rule: &GaussLegendre, number: usize) -> Option<Self> {
+        let edge = &complex.edges()[number];
+        let ([a, b], false) = (edge.uses(), edge.is_fixed()) else { return None };
         let curve = complex.edge_curve(number);
+        let mut across = Self { max: Some(0.0), squares: 0.0, length: 0.0 };
         for (t, weight) in rule.iter().chain([(0.0, 0.0), (1.0, 0.0)]) {
             let Some(angle) = angle(patches, [a, b], t) else {
                 // At its ends an edge may meet a singular corner of the rim.
                 if weight == 0.0 {
                     continue;
                 }
-                return (None, Some(number));
+                return Some(Self { max: None, ..across });
             };
             let ds = weight * curve.derivative(t).norm();
-            squares += angle * angle * ds;
-            length += ds;
-            if worst.is_none_or(|worst| angle > worst.max) {
-                worst = Some(Kink { max: angle, rms: 0.0, edge: number });
-            }
+            across.squares += angle * angle * ds;
+            across.length += ds;
+            across.max = across.max.map(|max| max.max(angle));
+        }
+        Some(across)
+    }
+}
+
+/// The kink of a complex from those of its edges, or the first edge that has none where it should.
+fn kink(edges: &[Option<Across>]) -> (Option<Kink>, Option<usize>) {
+    let (mut worst, mut squares, mut length): (Option<Kink>, f64, f64) = (None, 0.0, 0.0);
+    for (edge, across) in edges.iter().enumerate() {
+        let Some(across) = across else { continue };
+        let Some(max) = across.max else { return (None, Some(edge)) };
+        squares += across.squares;
+        length += across.length;
+        if worst.is_none_or(|worst| max > worst.max) {
+            worst = Some(Kink { max, rms: 0.0, edge });
         }
     }
     let rms = (squares / length).sqrt();

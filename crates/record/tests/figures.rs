@@ -21,6 +21,22 @@ ca = [[1, 3, 0], [0.5, 2, -1], [0.2, 1, 0.5], [0, 0, 0]]
 "#,
 ];
 
+const RINGS: &str = r#"
+title = "rings"
+[boundary]
+loops = [["low"], ["high"]]
+[[curve]]
+name = "low"
+circle = { center = [0, 0, -0.3], normal = [0, 0, 1], radius = 1 }
+[[curve]]
+name = "high"
+circle = { center = [0, 0, 0.3], normal = [0, 0, 1], radius = 1 }
+[[method]]
+name = "area"
+energy = "area"
+degree = 4
+"#;
+
 const ROWS: &str = r#"
 [[method]]
 name = "Dirichlet"
@@ -43,22 +59,25 @@ name = "area"
 energy = "area"
 "#;
 
+fn record(text: &str) -> (experiment::Finished, Value) {
+    let plan = Plan::parse("rows.toml", text).unwrap();
+    let finished = run(&plan, Options::default(), &()).unwrap();
+    let json = ResultFile::new(&plan, &finished).to_json().unwrap();
+    (finished, serde_json::from_str(&json).unwrap())
+}
+
+/// Over a tensor and a triangular boundary.
 fn records() -> Vec<(experiment::Finished, Value)> {
     let searched =
         "[[method]]\nname = \"searched\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\nsearch = \"polish\"\n";
-    let record = |(net, rows): (&str, String)| {
-        let plan = Plan::parse("rows.toml", &format!("title = \"rows\"{net}{rows}")).unwrap();
-        let finished = run(&plan, Options::default(), &()).unwrap();
-        let json = ResultFile::new(&plan, &finished).to_json().unwrap();
-        (finished, serde_json::from_str(&json).unwrap())
-    };
-    [(NETS[0], format!("{ROWS}{searched}")), (NETS[1], ROWS.to_owned())].into_iter().map(record).collect()
+    let [tensor, triangle] = NETS.map(|net| format!("title = \"rows\"{net}{ROWS}"));
+    vec![record(&(tensor + searched)), record(&triangle)]
 }
 
 #[test]
 fn every_figure_stands_where_its_row_says() {
     let mut seen = Vec::new();
-    for (finished, json) in records() {
+    for (finished, json) in records().into_iter().chain([record(RINGS)]) {
         for (k, method) in finished.results.methods.iter().enumerate() {
             let done = method.outcome.as_ref().unwrap();
             for &quantity in Quantity::ALL {

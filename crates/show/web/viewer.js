@@ -30,37 +30,47 @@
   const NONE = 1e9; // a vertex without a value
   const FOCAL = 1 / Math.tan(0.25);
 
+  const places = (text) => new Uint16Array(bytes(text).buffer);
+
+  // The triangles of a surface, and every fourth line of its grids.
   function grid(surface) {
-    const [nu, nv] = surface.steps;
-    let first = 0; // of the patch
-    const at = surface.triangle
-      ? (a, b) => a * (nu + 1) - (a * (a - 1)) / 2 + b
-      : (a, b) => first + a * (nv + 1) + b;
-    const faces = [], wires = [], rim = [];
-    const line = (list, points) => points.slice(1).forEach((p, k) => list.push(points[k], p));
+    const faces = [], wires = [];
+    const line = (points) => points.slice(1).forEach((p, k) => wires.push(points[k], p));
     const range = (n) => Array.from({ length: n + 1 }, (_, k) => k);
-    if (surface.triangle) {
-      for (let a = 0; a < nu; a++)
-        for (let b = 0; b < nu - a; b++) {
-          faces.push(at(a, b), at(a + 1, b), at(a, b + 1));
-          if (a + b + 2 <= nu) faces.push(at(a + 1, b), at(a + 1, b + 1), at(a, b + 1));
+    for (const chart of surface.charts) {
+      const [nu, nv] = chart.steps, own = chart.places && places(chart.places);
+      const place = chart.triangle
+        ? (a, b) => a * (nu + 1) - (a * (a - 1)) / 2 + b
+        : (a, b) => a * (nv + 1) + b;
+      const at = own ? (a, b) => own[place(a, b)] : place;
+      if (chart.triangle) {
+        for (let a = 0; a < nu; a++)
+          for (let b = 0; b < nu - a; b++) {
+            faces.push(at(a, b), at(a + 1, b), at(a, b + 1));
+            if (a + b + 2 <= nu) faces.push(at(a + 1, b), at(a + 1, b + 1), at(a, b + 1));
+          }
+        for (let k = 4; k < nu; k += 4) {
+          line(range(nu - k).map((b) => at(k, b)));
+          line(range(nu - k).map((a) => at(a, k)));
+          line(range(nu - k).map((a) => at(a, nu - k - a)));
         }
-      for (let k = 0; k < nu; k += 4) {
-        line(wires, range(nu - k).map((b) => at(k, b)));
-        line(wires, range(nu - k).map((a) => at(a, k)));
-        line(wires, range(nu - k).map((a) => at(a, nu - k - a)));
+      } else {
+        for (let a = 0; a < nu; a++)
+          for (let b = 0; b < nv; b++)
+            faces.push(at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b), at(a + 1, b + 1), at(a, b + 1));
+        for (let a = 4; a < nu; a += 4) line(range(nv).map((b) => at(a, b)));
+        for (let b = 4; b < nv; b += 4) line(range(nu).map((a) => at(a, b)));
       }
-      line(rim, range(nu).map((b) => at(0, b)));
-      line(rim, range(nu).map((a) => at(a, 0)));
-      line(rim, range(nu).map((a) => at(a, nu - a)));
-    } else for (let chart = 0; chart < surface.charts; chart++, first += (nu + 1) * (nv + 1)) {
-      for (let a = 0; a < nu; a++)
-        for (let b = 0; b < nv; b++)
-          faces.push(at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b), at(a + 1, b + 1), at(a, b + 1));
-      for (let a = 0; a <= nu; a += 4) line(a % nu ? wires : rim, range(nv).map((b) => at(a, b)));
-      for (let b = 0; b <= nv; b += 4) line(b % nv ? wires : rim, range(nu).map((a) => at(a, b)));
     }
-    return { faces: new Uint16Array(faces), wires, rim };
+    return { faces: new Uint16Array(faces), wires };
+  }
+
+  // The segments of the lines of one kind.
+  function segments(surface, kind) {
+    const pairs = [];
+    for (const line of surface.lines.filter((line) => line.kind === kind))
+      places(line.points).forEach((p, k, all) => k && pairs.push(all[k - 1], p));
+    return pairs;
   }
 
   // Lines of a net as segments between points of their own, cut off beyond a ball about the middle of the scene.
@@ -180,8 +190,8 @@
      }`);
 
   const surfaces = data.surfaces.map((surface) => {
-    const points = floats(surface.points), { faces, wires, rim } = grid(surface);
-    const all = floats(surface.net.points), edges = new Uint16Array(bytes(surface.net.edges).buffer);
+    const points = floats(surface.points), { faces, wires } = grid(surface);
+    const all = floats(surface.net.points), edges = places(surface.net.edges);
     const near = [...surface.net.boundary.keys()].filter((k) =>
       Math.hypot(all[3 * k], all[3 * k + 1], all[3 * k + 2]) <= REACH);
     const net = Float32Array.from(near.flatMap((k) => [all[3 * k], all[3 * k + 1], all[3 * k + 2]]));
@@ -197,7 +207,9 @@
       fields: surface.values.map((text) =>
         buffer(floats(text).map((x) => (Number.isNaN(x) ? NONE : Math.max(-1e5, Math.min(1e5, x)))))),
       wires: ribbons(points, wires),
-      rim: ribbons(points, rim),
+      rim: ribbons(points, segments(surface, "rim")),
+      borders: ribbons(points, segments(surface, "border")),
+      kinks: ribbons(points, segments(surface, "kink")),
       edges: ribbons(lines.points, lines.pairs),
       netPoints: buffer(net),
       netEdge: buffer(Float32Array.from(near, (k) => surface.net.boundary[k])),
@@ -397,6 +409,8 @@
 
     // Lines on the coloured surface are dark in either theme.
     if (state.wires) lines(surface.wires, 0.9 * ratio, [0.08, 0.12, 0.18, 0.34], matrix);
+    lines(surface.borders, 0.9 * ratio, [0.08, 0.12, 0.18, 0.6], matrix);
+    lines(surface.kinks, 2 * ratio, dark ? [1, 0.54, 0.5, 1] : [0.7, 0.15, 0.12, 1], matrix);
     lines(surface.rim, 1.5 * ratio, dark ? [0.8, 0.84, 0.9, 0.9] : [...pen, 0.85], matrix);
     if (state.net && surface.netCount) {
       const crowded = surface.netCount > 100;

@@ -15,7 +15,7 @@ pub(super) struct Comparison {
 }
 
 /// The keys of a method that say something of its surface beside its figures, with the power of the length in their unit.
-const SURFACE: [(&str, i32); 13] = [
+const SURFACE: [(&str, i32); 10] = [
     ("patch", 0),
     ("basis", 0),
     ("net", 1),
@@ -23,18 +23,16 @@ const SURFACE: [(&str, i32); 13] = [
     ("domain", 0),
     ("pieces", 1),
     ("weights", 1),
-    ("rim_deviation", 1),
     ("kink", 0),
-    ("jacobian_ratio", 0),
     ("area_estimate", 2),
     ("lower_bound", 2),
-    ("spanned_one_by_one", 2),
 ];
 
 /// All keys that are compared: the residual is rounding, and minima of searches are compared by themselves.
 fn compared() -> impl Iterator<Item = (&'static str, i32)> {
     let is_of_the_surface = |quantity: &&Quantity| match quantity {
-        Quantity::Residual | Quantity::SearchMinimum | Quantity::Curvature(_) => false,
+        // The largest kink is compared with their mean.
+        Quantity::Residual | Quantity::SearchMinimum | Quantity::Curvature(_) | Quantity::Kink => false,
         Quantity::Dirichlet
         | Quantity::Area
         | Quantity::LaplacianDefect
@@ -47,6 +45,9 @@ fn compared() -> impl Iterator<Item = (&'static str, i32)> {
         | Quantity::BoundaryDeviation
         | Quantity::HarmonicBound
         | Quantity::Deviation
+        | Quantity::RimDeviation
+        | Quantity::JacobianRatio
+        | Quantity::SpannedOneByOne
         | Quantity::Shape(_) => true,
     };
     let figures =

@@ -5,9 +5,10 @@ use serde_json::{Value, json};
 
 use crate::colour;
 use crate::number::{Form, number};
-use crate::scene::{Field, LARGEST_NET, Scene, Shown};
+use crate::scene::{Chart, Field, LARGEST_NET, Line, LineKind, Scene, Shown};
 use crate::table::standing::{Standing, standings};
 use plateau::Done;
+use surfaces::Domain;
 
 /// Nets of a higher degree hide their surface and are shown when asked for.
 const MOST_DEGREE: usize = 3;
@@ -81,7 +82,6 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
         })
         .collect();
     let net = &shown.net;
-    let edges: Vec<u8> = net.edges.iter().flatten().flat_map(|&k| (k as u16).to_le_bytes()).collect();
     let figures = &shown.done.figures;
     let mut caption = format!("area {} length²", Form::Digits(9).of(figures.area.value));
     if let Some(largest) = figures.mean_curvature_max {
@@ -90,9 +90,8 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
     json!({
         "name": shown.name,
         "caption": caption,
-        "charts": shown.sample.charts,
-        "steps": shown.sample.steps,
-        "triangle": shown.sample.domain == surfaces::Domain::Triangle,
+        "charts": shown.sample.charts.iter().map(chart).collect::<Vec<_>>(),
+        "lines": shown.sample.lines.iter().map(line).collect::<Vec<_>>(),
         "points": points(&shown.sample.points),
         "values": values,
         "net": {
@@ -100,9 +99,32 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
             "many": net.degree > MOST_DEGREE,
             "points": points(&net.points),
             "boundary": net.on_boundary.iter().map(|&b| u8::from(b)).collect::<Vec<_>>(),
-            "edges": BASE64_STANDARD.encode(edges),
+            "edges": numbers(net.edges.iter().flatten().copied()),
         },
     })
+}
+
+/// A grid of points: those of the surface in their order, or the places of those of a face.
+fn chart(chart: &Chart) -> Value {
+    let mut value = json!({ "steps": chart.steps, "triangle": chart.domain == Domain::Triangle });
+    if let Some(places) = chart.places() {
+        value["places"] = numbers(places.iter().map(|&k| k as usize)).into();
+    }
+    value
+}
+
+fn line(line: &Line) -> Value {
+    let kind = match line.kind {
+        LineKind::Rim => "rim",
+        LineKind::Border => "border",
+        LineKind::Kink => "kink",
+    };
+    json!({ "kind": kind, "points": numbers(line.points.iter().copied()) })
+}
+
+/// Places among points, of which a scene has fewer than 2¹⁶ a surface.
+fn numbers(places: impl Iterator<Item = usize>) -> String {
+    BASE64_STANDARD.encode(places.flat_map(|k| (k as u16).to_le_bytes()).collect::<Vec<u8>>())
 }
 
 fn floats(values: impl Iterator<Item = f32>) -> String {

@@ -128,6 +128,8 @@ fn view(scene: Option<&Scene<'_>>) -> String {
             format!("<p class=\"faint\">{more} more surfaces of this experiment are not shown here.</p>\n")
         }
     };
+    let has_nets = scene.surfaces.iter().any(|shown| shown.sample.chart().is_some());
+    let points = if has_nets { "control net" } else { "vertices" };
     format!(
         "<section><h2>Surfaces</h2>\n<noscript><p>The interactive view needs JavaScript; the pictures below do not.</p></noscript>\n\
          <p id=\"no-webgl\" hidden>This browser offers no WebGL, so there is no interactive view; the pictures below show \
@@ -142,7 +144,7 @@ fn view(scene: Option<&Scene<'_>>) -> String {
          <div id=\"legend\"><div id=\"bar\"></div><div class=\"ends\"><span id=\"low\"></span><span id=\"middle\"></span>\
          <span id=\"high\"></span></div><div class=\"faint\" id=\"quantity\"></div></div>\n\
          <div class=\"choices\">\
-         <label class=\"switch\"><input type=\"checkbox\" id=\"net\"> control net</label>\
+         <label class=\"switch\"><input type=\"checkbox\" id=\"net\"> {points}</label>\
          <label class=\"switch\"><input type=\"checkbox\" id=\"wires\"> wireframe</label>\
          <button type=\"button\" id=\"reset\">Reset the view</button></div>\n\
          <p class=\"faint notice\" id=\"help\">Drag or arrow keys turn, two fingers or + and − zoom, Shift-drag moves, \

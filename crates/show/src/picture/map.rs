@@ -11,7 +11,7 @@ use super::svg::{INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
 use crate::number::number;
-use crate::scene::{Field, Scene, Shown, spread};
+use crate::scene::{Chart, Field, Scene, Shown, spread};
 
 /// Most maps in one picture.
 const PANELS: usize = 12;
@@ -30,21 +30,22 @@ const ROUNDING: f64 = 1e-9;
 /// Level curves, in units of the full scale.
 const LEVELS: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
 
-/// The maps of all surfaces over one domain; none if they are all minimal.
+/// The maps of all surfaces; none if they are all minimal.
 pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let full = scene.full_scale(Field::Mean)?;
     let largest = scene.largest(Field::Mean)?;
-    let over_one: Vec<&Shown<'_>> = scene.surfaces.iter().filter(|shown| shown.sample.charts == 1).collect();
-    if over_one.is_empty() {
+    let flat: Vec<(&Shown<'_>, &Chart)> =
+        scene.surfaces.iter().filter_map(|shown| Some((shown, shown.sample.chart()?))).collect();
+    if flat.is_empty() {
         return None;
     }
-    let chosen = spread(over_one.len(), PANELS);
+    let chosen = spread(flat.len(), PANELS);
     let [columns, rows] = arrange(chosen.len(), 4);
     let (width, height) = (CELL[0] * columns as f64 + BAR, CELL[1] * rows as f64);
     let mut svg = Svg::new(width, height, "Mean curvature H over the parameters u and v");
     let pixels = PIXELS[usize::from(chosen.len() > 4)];
     for (k, &index) in chosen.iter().enumerate() {
-        let shown = over_one[index];
+        let shown = flat[index];
         let image = raster(shown, full, pixels);
         map(
             &mut svg,
@@ -64,7 +65,14 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     Some(Picture { name: "mean-curvature", caption, svg: svg.finish() })
 }
 
-fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2], panel: usize) {
+fn map(
+    svg: &mut Svg,
+    (shown, chart): (&Shown<'_>, &Chart),
+    full: f64,
+    image: &str,
+    [x, y]: [f64; 2],
+    panel: usize,
+) {
     let (left, top) = (x + 56.0, y + 46.0);
     let (right, bottom) = (left + SIDE, top + SIDE);
     let values = shown.sample.values(Field::Mean);
@@ -73,7 +81,7 @@ fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2
         largest.map_or("singular everywhere".into(), |h| format!("max |H| = {} 1/length", number(h)));
     svg.heading([left, y], shown.name, 26, &caption);
 
-    let (u, v) = match shown.sample.domain {
+    let (u, v) = match chart.domain {
         Domain::Rectangle { u, v } => (u, v),
         Domain::Triangle => ((0.0, 1.0), (0.0, 1.0)),
     };
@@ -82,7 +90,7 @@ fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2
     frame(svg, &u, &v, "u", "v");
 
     let clip = format!("map-{panel}");
-    let outline = match shown.sample.domain {
+    let outline = match chart.domain {
         Domain::Rectangle { .. } => path([[left, top], [right, top], [right, bottom], [left, bottom]], true),
         Domain::Triangle => path([[left, bottom], [right, bottom], [left, top]], true),
     };
@@ -95,7 +103,7 @@ fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2
     let levels = if largest.is_some_and(|h| h > ROUNDING * full) { LEVELS.as_slice() } else { &[] };
     for &level in levels {
         let (level, width) = (level * full, if level == 0.0 { 1.4 } else { 0.5 });
-        let d = level_curve(shown, values, level, [left, bottom]);
+        let d = level_curve(chart, values, level, [left, bottom]);
         if !d.is_empty() {
             svg.element(format_args!(
                 r#"path d="{d}" fill="none" stroke="{INK}" stroke-width="{width}" stroke-linecap="round""#
@@ -106,7 +114,7 @@ fn map(svg: &mut Svg, shown: &Shown<'_>, full: f64, image: &str, [x, y]: [f64; 2
 }
 
 /// The map as a small PNG, which viewers smooth.
-fn raster(shown: &Shown<'_>, full: f64, side: usize) -> String {
+fn raster((shown, chart): (&Shown<'_>, &Chart), full: f64, side: usize) -> String {
     let values = shown.sample.values(Field::Mean);
     let mut palette: Vec<u8> =
         (0..NO_VALUE).flat_map(|k| colour::diverging((f64::from(k) - 127.0) / 127.0)).collect();
@@ -115,7 +123,7 @@ fn raster(shown: &Shown<'_>, full: f64, side: usize) -> String {
     let mut pixels = Vec::with_capacity(side * side);
     for row in (0..side).rev() {
         for column in 0..side {
-            let value = shown.sample.interpolate(values, at(column), at(row));
+            let value = chart.interpolate(values, at(column), at(row));
             // What lies beyond the scale has the colour of its end, as the points of the colour bar say.
             pixels.push(
                 value.map_or(NO_VALUE, |h| (127.0 + 127.0 * (h / full).clamp(-1.0, 1.0)).round() as u8),
@@ -139,14 +147,13 @@ fn image(side: usize, pixels: &[u8], palette: Vec<u8>) -> Result<Vec<u8>, png::E
 }
 
 /// The segments in which the linear interpolant on triangles has the value `level`.
-fn level_curve(shown: &Shown<'_>, values: &[Option<f64>], level: f64, [left, bottom]: [f64; 2]) -> String {
-    let sample = &shown.sample;
-    let [nu, nv] = sample.steps.map(|n| n as f64);
+fn level_curve(chart: &Chart, values: &[Option<f64>], level: f64, [left, bottom]: [f64; 2]) -> String {
+    let [nu, nv] = chart.steps.map(|n| n as f64);
     let mut d = String::new();
-    for face in sample.cells(1) {
+    for face in chart.faces(1) {
         for last in 2..face.len() {
             let corners = [face[0], face[last - 1], face[last]];
-            let known: Option<Vec<f64>> = corners.iter().map(|&[a, b]| values[sample.at(a, b)]).collect();
+            let known: Option<Vec<f64>> = corners.iter().map(|&at| values[chart.at(at)]).collect();
             let Some(known) = known else { continue };
             let mut ends = Vec::with_capacity(2);
             for (p, q) in [(0, 1), (1, 2), (2, 0)] {

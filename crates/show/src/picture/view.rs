@@ -4,11 +4,11 @@ use plateau::Energy;
 use surfaces::Point;
 
 use super::panels::arrange;
-use super::svg::{Anchor, FAINT, Font, INK, Length, Svg, path};
+use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
 use crate::number::Form;
-use crate::scene::{Field, LARGEST_NET, Scene, Shown, spread};
+use crate::scene::{Field, LARGEST_NET, LineKind, Sample, Scene, Shown, spread};
 
 /// Most views in one picture.
 const PANELS: usize = 12;
@@ -21,18 +21,13 @@ const HEAD: f64 = 42.0;
 /// Space for the colour bar.
 const BAR: f64 = 110.0;
 
-/// Whether the surfaces are of several patches.
-fn are_films(scene: &Scene<'_>) -> bool {
-    scene.surfaces.iter().all(|shown| shown.done.film.is_some())
-}
-
 /// Whether there is mean curvature to be seen: films of least area have the little that their degree leaves of 0.
 fn shows_mean_curvature(scene: &Scene<'_>) -> bool {
-    let is_least = |shown: &Shown<'_>| shown.done.solved.minimised == Some(Energy::Area);
+    let is_least_film = |shown: &Shown<'_>| {
+        shown.sample.chart().is_none() && shown.done.solved.minimised == Some(Energy::Area)
+    };
     scene.full_scale(Field::Mean).is_some()
-        && !(are_films(scene)
-            && scene.surfaces.iter().all(is_least)
-            && scene.full_scale(Field::Gauss).is_some())
+        && !(scene.surfaces.iter().all(is_least_film) && scene.full_scale(Field::Gauss).is_some())
 }
 
 /// The views of all surfaces, coloured by mean curvature, or by Gauss curvature where they are all minimal.
@@ -44,8 +39,16 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let [columns, rows] = arrange(chosen.len(), 4);
     let cell = [CELL[0], CELL[1] + HEAD];
     let bar = if full.is_some() { BAR } else { 0.0 };
-    let lines = if are_films(scene) { "the borders of their patches" } else { "their control nets" };
-    let title = format!("The surfaces with {lines}");
+    let with = match chosen.iter().filter(|shown| shown.sample.chart().is_none()).count() {
+        0 => "with their control nets",
+        of if of == chosen.len() => {
+            "with the vertices and borders of their patches, red where they meet at an angle"
+        }
+        _some => {
+            "with their control nets, or the vertices and borders of their patches, red where they meet at an angle"
+        }
+    };
+    let title = format!("The surfaces {with}");
     let mut svg = Svg::new(cell[0] * columns as f64 + bar, cell[1] * rows as f64, &title);
     let camera = Camera::fitting(scene, &chosen, true, CELL);
     for (k, shown) in chosen.iter().enumerate() {
@@ -139,22 +142,21 @@ pub(super) fn surface(
     let sample = &shown.sample;
     let stride = [1, 2, 4]
         .into_iter()
-        .find(|&s| sample.faces(s).iter().map(Vec::len).sum::<usize>() <= most)
+        .find(|&s| sample.faces(s).map(|face| face.len()).sum::<usize>() <= most)
         .unwrap_or(4);
     let light = (camera.towards + camera.up * 0.7 - camera.right * 0.5).unit().unwrap_or(camera.towards);
     let mut faces: Vec<(f64, String)> = sample
         .faces(stride)
-        .into_iter()
-        .map(|face| {
-            let points: Vec<Point> = face.iter().map(|&k| scene.local(sample.points[k])).collect();
-            let share = 1.0 / face.len() as f64;
+        .map(|corners| {
+            let points: Vec<Point> = corners.iter().map(|&k| scene.local(sample.points[k])).collect();
+            let share = 1.0 / corners.len() as f64;
             let middle = points.iter().fold(Point::ZERO, |sum, &p| sum + p) * share;
             // Twice the area of the face, as a vector.
             let normal = (points[2] - points[0]).cross(points[points.len() - 1] - points[1]);
             let bright = normal.unit().map_or(1.0, |n| 0.68 + 0.32 * n.dot(light).abs());
             let plain = scale.map_or([233, 236, 240], |(field, full)| {
                 let values = sample.values(field);
-                let sum: Option<f64> = face.iter().map(|&k| values[k].map(|x| x / full)).sum();
+                let sum: Option<f64> = corners.iter().map(|&k| values[k].map(|x| x / full)).sum();
                 sum.map_or(colour::NONE, |sum| colour::diverging(sum * share))
             });
             let centre = camera.project(middle, at);
@@ -169,15 +171,44 @@ pub(super) fn surface(
             (middle.dot(camera.towards), format!("<path fill=\"{fill}\" d=\"{}\"/>\n", path(grown, true)))
         })
         .collect();
+    faces.extend(borders(sample, |k| scene.local(sample.points[k]), camera, at, stride));
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
     faces.iter().for_each(|(_, face)| svg.raw(face));
-    let outline = |points: Vec<usize>| {
-        path(points.into_iter().map(|k| camera.project(scene.local(sample.points[k]), at)), true)
-    };
-    let rim: String = sample.outlines().into_iter().map(outline).collect();
-    svg.element(format_args!(
-        r#"path d="{rim}" fill="none" stroke="{INK}" stroke-width="0.9" stroke-linejoin="round" stroke-opacity="0.75""#
-    ));
+    for line in sample.lines.iter().filter(|line| line.kind == LineKind::Rim) {
+        let is_closed = line.points.first() == line.points.last();
+        let places = line.points[usize::from(is_closed)..].iter();
+        let rim = path(places.map(|&k| camera.project(scene.local(sample.points[k]), at)), is_closed);
+        svg.element(format_args!(
+            r#"path d="{rim}" fill="none" stroke="{INK}" stroke-width="0.9" stroke-linejoin="round" stroke-opacity="0.75""#
+        ));
+    }
+}
+
+/// The borders of patches in pieces as long as faces, each with how near it is: what lies before them hides them.
+fn borders(
+    sample: &Sample,
+    point: impl Fn(usize) -> Point,
+    camera: &Camera,
+    at: [f64; 2],
+    stride: usize,
+) -> Vec<(f64, String)> {
+    /// Lines lie on the faces beside them.
+    const BEFORE: f64 = 0.05;
+    let mut pieces = Vec::new();
+    for line in &sample.lines {
+        let style = match line.kind {
+            LineKind::Rim => continue,
+            LineKind::Border => format!(r#"stroke="{INK}" stroke-width="0.5" stroke-opacity="0.6""#),
+            LineKind::Kink => format!(r#"stroke="{ACCENT}" stroke-width="1.6" stroke-linecap="round""#),
+        };
+        for ends in line.points.chunks(stride).zip(line.points.chunks(stride).skip(1)) {
+            let [p, q] = [ends.0[0], ends.1[0]].map(&point);
+            let d = path([p, q].map(|p| camera.project(p, at)), false);
+            let near = 0.5 * (p + q).dot(camera.towards) + BEFORE;
+            pieces.push((near, format!("<path d=\"{d}\" fill=\"none\" {style}/>\n")));
+        }
+    }
+    pieces
 }
 
 fn control_net(svg: &mut Svg, scene: &Scene<'_>, shown: &Shown<'_>, camera: &Camera, at: [f64; 2]) {

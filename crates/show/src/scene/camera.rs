@@ -48,19 +48,17 @@ fn face_normals(sample: &Sample) -> Vec<Point> {
     let size = sample.points.iter().map(|p| p.distance(first)).fold(0.0, f64::max);
     let scale = if size > 0.0 { 1.0 / size } else { 1.0 };
     let at = |k: usize| (sample.points[k] - first) * scale;
-    let faces = sample.faces(4);
-    faces.iter().map(|f| (at(f[2]) - at(f[0])).cross(at(f[f.len() - 1]) - at(f[1]))).collect()
+    sample.faces(4).map(|f| (at(f[2]) - at(f[0])).cross(at(f[f.len() - 1]) - at(f[1]))).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau::Surface;
     use surfaces::{TriangleNet, TrianglePatch};
 
     fn direction(corners: [[f64; 3]; 3]) -> Direction {
         let net = TriangleNet::new(1, corners.map(Point::from).into()).unwrap();
-        let sample = Sample::of(&Surface::Triangle(TrianglePatch::new(net).unwrap()), 400).unwrap();
+        let sample = Sample::of_patch(&TrianglePatch::new(net).unwrap(), None, 400);
         Direction::showing(std::iter::once(&sample))
     }
 

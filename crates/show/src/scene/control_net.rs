@@ -30,8 +30,13 @@ impl ControlNet {
                     pieces.patches().iter().for_each(|patch| net.add(patch.net()));
                 }
             }
-            // Its patches hide one another's nets.
-            Surface::Complex(_) => {}
+            // Its patches would hide one another's nets: the graph of its vertices is what there is to see.
+            Surface::Complex(complex) => {
+                net.degree = 1;
+                net.points = complex.points()[..complex.vertices()].to_vec();
+                net.on_boundary = complex.fixed()[..complex.vertices()].to_vec();
+                net.edges = Vec::new();
+            }
             Surface::Triangle(patch) => {
                 let triangle = patch.net();
                 let n = triangle.degree();

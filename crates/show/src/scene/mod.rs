@@ -1,6 +1,7 @@
 //! The surfaces of an experiment as pictures and the report show them: sampled once, in one frame, on one scale.
 
 mod camera;
+mod chart;
 mod control_net;
 mod field;
 mod sample;
@@ -8,9 +9,10 @@ mod sample;
 use surfaces::Point;
 
 pub(crate) use camera::Direction;
+pub(crate) use chart::Chart;
 pub(crate) use control_net::ControlNet;
 pub(crate) use field::Field;
-pub(crate) use sample::Sample;
+pub(crate) use sample::{Line, LineKind, Sample};
 
 use crate::colour;
 use plateau::{Done, Results};
@@ -94,9 +96,8 @@ impl<'a> Scene<'a> {
             .iter()
             .filter_map(|&k| {
                 let (name, done) = done[k];
-                let surface = &done.solved.surface;
-                let sample = Sample::of(surface, budget)?;
-                Some(Shown { name, done, sample, net: ControlNet::of(surface) })
+                let sample = Sample::of(done, budget)?;
+                Some(Shown { name, done, sample, net: ControlNet::of(&done.solved.surface) })
             })
             .filter(|shown| shown.sample.points.iter().all(|p| p.is_finite()))
             .collect();

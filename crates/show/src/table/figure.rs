@@ -67,7 +67,7 @@ const fn plain(quantity: Quantity) -> Figure {
 const MINIMISED: u8 = 1;
 
 /// All of them, in the order of the columns.
-pub(crate) const FIGURES: [Figure; 13] = [
+pub(crate) const FIGURES: [Figure; 16] = [
     Figure {
         heading: "area A",
         form: Form::Decimals(7),
@@ -117,6 +117,15 @@ pub(crate) const FIGURES: [Figure; 13] = [
         rounding: (UNMOVED, "0"),
         rank: 5,
         ..plain(Quantity::BoundaryDeviation)
+    },
+    Figure { heading: "rim", beneath: "moved by", rank: 6, ..plain(Quantity::RimDeviation) },
+    Figure { heading: "kink", beneath: "radians", rank: 6, ..plain(Quantity::Kink) },
+    Figure {
+        heading: "each loop",
+        beneath: "by itself",
+        form: Form::Decimals(7),
+        rank: 6,
+        ..plain(Quantity::SpannedOneByOne)
     },
     Figure {
         heading: "(D−A)/A",

@@ -21,7 +21,7 @@ pub const WIDTH: usize = 80;
 ///
 /// No line of the table is longer than `room` columns of a terminal: columns are left out in a fixed order, from the last of
 /// these to the first: area, what was minimised, the excess over the least area, the error of the area, Dirichlet energy, D^g,
-/// boundary, shape, (D − A)/A, max |H|, bound of D. A line says which.
+/// boundary, rim, kink, shape, (D − A)/A, max |H|, bound of D. A line says which.
 pub fn table(results: &Results, room: usize) -> String {
     let mut text = format!("{}\n\n", Printable(&results.title));
     match &results.curve {

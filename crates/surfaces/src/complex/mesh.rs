@@ -11,6 +11,8 @@ pub struct ComplexMesh {
     pub mesh: Mesh,
     /// The face of every triangle.
     pub faces: Vec<usize>,
+    /// For every face of the complex its (`subdivisions` + 1)² vertices, those of one u after those of another.
+    pub grids: Vec<Vec<u32>>,
     /// For every edge of the complex its `subdivisions` + 1 vertices, from its first end to its second.
     pub edges: Vec<Vec<u32>>,
 }
@@ -76,7 +78,9 @@ impl Complex {
         }
         let run =
             |edge: usize| layout.run(edge, layout.edges[edge].ends()).into_iter().map(|k| k as u32).collect();
-        Ok(ComplexMesh { mesh, faces, edges: (0..layout.edges.len()).map(run).collect() })
+        let grids =
+            layout.faces.iter().map(|face| face.nodes().iter().map(|&k| k as u32).collect()).collect();
+        Ok(ComplexMesh { mesh, faces, grids, edges: (0..layout.edges.len()).map(run).collect() })
     }
 }
 
