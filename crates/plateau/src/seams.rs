@@ -13,7 +13,8 @@ pub struct Seams {
     /// The angles between the normals across the free edges of two faces, where a smooth surface has none; on a wire it may
     /// have any. None if there is no such edge, or a patch is singular inside one.
     pub kink: Option<Kink>,
-    /// The largest of those angles on each edge; none for edges of one face or of more than two, fixed ones, and singular ones.
+    /// The largest such angle on each edge of two faces, on wires as well; none for edges of one face or of more than two, and
+    /// singular ones.
     pub kinks: Vec<Option<f64>>,
     /// An edge inside which a patch has no normal, so that no kink is given.
     pub singular_edge: Option<usize>,
@@ -68,8 +69,10 @@ impl Seams {
     }
 }
 
-/// The angles across one free edge of two faces.
+/// The angles across one edge of two faces.
 struct Across {
+    /// Whether it is a wire.
+    is_fixed: bool,
     /// The largest; none if a patch is singular inside the edge.
     max: Option<f64>,
     /// ∫ angle² ds.
@@ -79,12 +82,12 @@ struct Across {
 }
 
 impl Across {
-    /// None of an edge that is fixed or has not two faces.
+    /// None of an edge that has not two faces.
     fn of(complex: &Complex, patches: &[TensorPatch], rule: &GaussLegendre, number: usize) -> Option<Self> {
         let edge = &complex.edges()[number];
-        let ([a, b], false) = (edge.uses(), edge.is_fixed()) else { return None };
+        let [a, b] = edge.uses() else { return None };
         let curve = complex.edge_curve(number);
-        let mut across = Self { max: Some(0.0), squares: 0.0, length: 0.0 };
+        let mut across = Self { is_fixed: edge.is_fixed(), max: Some(0.0), squares: 0.0, length: 0.0 };
         for (t, weight) in rule.iter().chain([(0.0, 0.0), (1.0, 0.0)]) {
             let Some(angle) = angle(patches, [a, b], t) else {
                 // At its ends an edge may meet a singular corner of the rim.
@@ -106,7 +109,7 @@ impl Across {
 fn kink(edges: &[Option<Across>]) -> (Option<Kink>, Option<usize>) {
     let (mut worst, mut squares, mut length): (Option<Kink>, f64, f64) = (None, 0.0, 0.0);
     for (edge, across) in edges.iter().enumerate() {
-        let Some(across) = across else { continue };
+        let Some(across) = across.as_ref().filter(|across| !across.is_fixed) else { continue };
         let Some(max) = across.max else { return (None, Some(edge)) };
         squares += across.squares;
         length += across.length;

@@ -34,7 +34,10 @@ impl ControlNet {
             Surface::Complex(complex) => {
                 net.degree = 1;
                 net.points = complex.points()[..complex.vertices()].to_vec();
-                net.on_boundary = complex.fixed()[..complex.vertices()].to_vec();
+                net.on_boundary = vec![false; complex.vertices()];
+                for edge in complex.edges().iter().filter(|edge| edge.uses().len() < 2) {
+                    edge.ends().into_iter().for_each(|vertex| net.on_boundary[vertex] = true);
+                }
                 net.edges = Vec::new();
             }
             Surface::Triangle(patch) => {

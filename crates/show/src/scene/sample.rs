@@ -1,4 +1,4 @@
-use plateau::{Done, Surface};
+use plateau::{Done, Seams, Surface};
 use surfaces::{Complex, Patch, Point};
 
 use super::Field;
@@ -16,7 +16,7 @@ const KINK: f64 = 0.017;
 /// What a line on a surface is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LineKind {
-    /// Where the surface ends, or a wire it is fixed to.
+    /// Where the surface ends.
     Rim,
     /// A border between patches across which the surface is smooth.
     Border,
@@ -48,10 +48,7 @@ impl Sample {
             Surface::Tensor(patch) => Some(Self::of_patch(patch, None, budget)),
             Surface::Triangle(patch) => Some(Self::of_patch(patch, None, budget)),
             Surface::Pieces(pieces) => Some(Self::of_patch(pieces, Some(pieces.shape()), budget)),
-            Surface::Complex(complex) => {
-                let kinks = done.film.as_ref().map_or(&[][..], |film| &film.seams.kinks);
-                Self::of_complex(complex, kinks, budget)
-            }
+            Surface::Complex(complex) => Self::of_complex(complex, budget),
         }
     }
 
@@ -70,22 +67,24 @@ impl Sample {
     }
 
     /// Samples the faces of a complex, points on edges once. Fields of a chart have no meaning where there are many.
-    fn of_complex(complex: &Complex, kinks: &[Option<f64>], budget: usize) -> Option<Self> {
+    fn of_complex(complex: &Complex, budget: usize) -> Option<Self> {
         let faces = complex.faces().len().max(1);
         let [fewest, most] = PER_FACE;
         let steps = ((budget / faces) as f64).sqrt() as usize;
         let steps = (steps.saturating_sub(1) / 4 * 4).clamp(fewest, most);
         let sampled = complex.mesh(steps).ok()?;
+        // Measured here, not taken from the figures: what was read from a record is drawn as what was computed.
+        let kinks = Seams::of(complex).ok()?.kinks;
         let mesh = sampled.mesh;
         if mesh.points.len() > MOST {
             return None;
         }
         let kind = |edge: usize| {
-            let edge_of = &complex.edges()[edge];
-            match (edge_of.uses().len(), edge_of.is_fixed(), kinks.get(edge).copied().flatten()) {
-                (0 | 1, _, _) | (2, true, _) => LineKind::Rim,
-                (2, false, Some(kink)) if kink <= KINK => LineKind::Border,
-                _more => LineKind::Kink,
+            let uses = complex.edges()[edge].uses().len();
+            match kinks[edge] {
+                _one if uses < 2 => LineKind::Rim,
+                Some(kink) if kink <= KINK => LineKind::Border,
+                Some(_) | None => LineKind::Kink,
             }
         };
         let lines = sampled
