@@ -152,6 +152,8 @@ fn run_in(mebibytes: usize, text: &str) -> (Option<i32>, String) {
         .args(["-c", &limit, env!("CARGO_BIN_EXE_plateau")])
         .arg(&file)
         .current_dir(folder.path())
+        // The limit is on addresses, of which the allocator of glibc reserves 64 MiB more where a second thread happens to allocate.
+        .env("MALLOC_ARENA_MAX", "1")
         .stdin(Stdio::null())
         .output()
         .expect("a shell");
