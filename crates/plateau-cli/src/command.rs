@@ -12,6 +12,8 @@ use experiment::{Experiment, Plan, Refusal, Template};
 use record::{folder, folder_key};
 use show::Printable;
 
+use crate::costs::costs;
+
 /// Patches of least energy and least area over a given boundary.
 ///
 /// Control points of a boundary in, the best patch that spans them out, with figures that say how
@@ -362,7 +364,12 @@ pub(crate) fn check(files: &[PathBuf], stdout: &mut impl Write) -> Result<(), Fa
     let mut sound = true;
     for file in files {
         match read_plan(file) {
-            Ok(plan) => line(stdout, &format!("{}: sound, {}", plan.file, subject(&plan)))?,
+            Ok(plan) => {
+                line(stdout, &format!("{}: sound, {}", plan.file, subject(&plan)))?;
+                for cost in costs(&plan) {
+                    line(stdout, &format!("  {cost}"))?;
+                }
+            }
             Err(refusal) => {
                 stdout.flush()?;
                 tell(&refusal);

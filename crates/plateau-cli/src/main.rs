@@ -12,6 +12,7 @@ mod bars;
 mod batch;
 mod command;
 mod conversion;
+mod costs;
 mod fill;
 mod interrupt;
 mod outlet;

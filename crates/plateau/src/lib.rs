@@ -34,6 +34,7 @@ mod boundary;
 mod boundary_figures;
 mod closed_form;
 mod context;
+mod cost;
 mod curve;
 mod cutting;
 mod degeneracy;
@@ -72,6 +73,7 @@ pub use boundary::{
 pub use boundary_figures::BoundaryFigures;
 pub use closed_form::ClosedForm;
 pub use context::Context;
+pub use cost::Cost;
 pub use curve::{Curve, CurveBasis, CurveResult, sample};
 pub use cutting::{CurveGraph, CutBoundary, Cutting, CuttingError, FaceSide, GraphCurve, Loop, Way};
 pub use degeneracy::Degeneracy;

@@ -152,7 +152,8 @@ def gt(
     Args:
         u0, u1, v0, v1: control points as in :func:`least_area`, of degree 2 or more.
         shape: the four parameters, each in [0, 4]. Without them they are searched.
-        search: ``"pso"`` (a swarm), ``"polish"`` (a descent), ``"pso-polish"`` or True (both).
+        search: ``"pso"`` (a swarm), ``"polish"`` (descents), ``"pso-polish"`` (both) or True: both, but descents alone where
+            ``energy`` is ``"area"``.
         energy: what the interior minimises, as in :func:`extremal`.
         patch: ``"tensor"``, or ``"tb-coons"``, the Bernstein–GT Coons blend.
         search_energy: what the search minimises, if not ``energy``.

@@ -40,6 +40,17 @@ const NETS: &[&str] = &[TENSOR, TRIANGLE];
 #[derive(Clone, Copy)]
 pub(crate) struct Searching;
 
+/// What a file says of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Searched {
+    /// They are not.
+    Not,
+    /// As suits what one shape costs.
+    AsSuits,
+    /// In this way.
+    By(SearchMode),
+}
+
 impl Form for Searching {
     fn expected(&self) -> String {
         "true, false, \"pso\", \"polish\" or \"pso-polish\"".to_owned()
@@ -57,14 +68,14 @@ impl Form for Searching {
 }
 
 impl Kind for Searching {
-    type Value = Option<SearchMode>;
+    type Value = Searched;
 
     fn read(&self, place: &Place<'_>, value: &Value<'_>) -> Option<Self::Value> {
         if let Some(truth) = value.get_ref().as_bool() {
-            return Some(truth.then_some(SearchMode::PsoPolish));
+            return Some(if truth { Searched::AsSuits } else { Searched::Not });
         }
         match value.get_ref().as_str() {
-            Some(word) => place.one_of(word, value, &MODES).map(Some),
+            Some(word) => place.one_of(word, value, &MODES).map(Searched::By),
             None => {
                 place.wrong_type(value, &self.expected());
                 None
@@ -139,8 +150,9 @@ pub(crate) static SHAPE: Key<Reals> = Key::new(
 pub(crate) static SEARCH: Key<Searching> = Key::new(
     "search",
     Searching,
-    "whether the shape parameters are tuned by [search], and how: `true` or \"pso-polish\" is a swarm and then descent from \
-     each run's best, \"pso\" the swarm alone, \"polish\" descents from random starts",
+    "whether the shape parameters are tuned by [search], and how: \"pso-polish\" is a swarm and then descent from each run's best, \
+     \"pso\" the swarm alone, \"polish\" descents from random starts; `true` is \"polish\" for energy = \"area\", where every shape costs a least area, \
+     else \"pso-polish\"",
 )
 .or("false")
 .such_as("\"pso\"")

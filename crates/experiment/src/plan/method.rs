@@ -3,9 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use plateau::{
-    Basis, Energy, Interior, Mask, Method, Patch, ReferenceTriangle, SearchMode, Shape, SolverChoice,
-};
+use plateau::{Basis, Energy, Interior, Mask, Method, Patch, ReferenceTriangle, Shape, SolverChoice};
 use serde_spanned::Spanned;
 
 use super::Wanted;
@@ -14,7 +12,7 @@ use super::expected::check::{Subject, wanted_of};
 use crate::diagnostic::shorten;
 use crate::keys::method::{
     BASIS, BOUND, CONSTRUCTION, DOMAIN, ENERGY, MASK, METRIC_STEPS, NAME, PATCH, RAISE, SEARCH,
-    SEARCH_ENERGY, SHAPE, SOLVER, TENSOR, TOLERANCE, TRIANGLE,
+    SEARCH_ENERGY, SHAPE, SOLVER, Searched, TENSOR, TOLERANCE, TRIANGLE,
 };
 use crate::text::{Given, Table};
 
@@ -90,7 +88,7 @@ pub(super) struct Draft<'t> {
     patch: Given<Patch>,
     basis: Given<Basis>,
     pub(super) shape: Given<Vec<Spanned<f64>>>,
-    pub(super) search: Given<Option<SearchMode>>,
+    pub(super) search: Given<Searched>,
     pub(super) energy: Given<Energy>,
     pub(super) raise: Given<usize>,
     domain: Given<ReferenceTriangle>,

@@ -1,9 +1,10 @@
 //! Shape parameters: given, searched, or none.
 
-use plateau::{Basis, SearchMode, Shape};
+use plateau::{Basis, Energy, SearchMode, Shape};
 use serde_spanned::Spanned;
 
 use super::method::Draft;
+use crate::keys::method::Searched;
 use crate::text::{Given, Table};
 
 impl Draft<'_> {
@@ -11,11 +12,25 @@ impl Draft<'_> {
         let mode = match &self.search {
             Given::Absent => None,
             Given::Faulty => return None,
-            Given::Sound(mode) => *mode.get_ref(),
+            Given::Sound(searched) => match searched.get_ref() {
+                Searched::Not => None,
+                Searched::AsSuits => Some(self.suitable()),
+                Searched::By(mode) => Some(*mode),
+            },
         };
         match basis {
             Basis::Bernstein => self.no_shape(mode),
             Basis::Gt => self.shape_of_gt(mode),
+        }
+    }
+
+    /// A swarm where a shape costs a linear system; descents alone, a hundredth of the shapes, where it costs a least area.
+    fn suitable(&self) -> SearchMode {
+        match self.energy.value() {
+            Some(Energy::Area) => SearchMode::Polish,
+            Some(Energy::Dirichlet | Energy::Laplacian | Energy::Bending | Energy::Coons) | None => {
+                SearchMode::PsoPolish
+            }
         }
     }
 

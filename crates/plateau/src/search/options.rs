@@ -10,7 +10,7 @@ pub enum SearchMode {
     Pso,
     /// Descent with the gradient only, from `runs` starts.
     Polish,
-    /// Particle swarm, then descent from each run's best point (`search = true`).
+    /// Particle swarm, then descent from each run's best point.
     PsoPolish,
 }
 

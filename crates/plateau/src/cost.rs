@@ -1,0 +1,136 @@
+//! What least areas cost, told before they are begun.
+
+use crate::{Energy, Interior, Method, Patch, Search, SearchMode, Shape, memory};
+
+/// What the least areas of one method take, by counting.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Cost {
+    /// Least areas that are found: one, or one for every shape that is tried.
+    pub least_areas: u64,
+    /// Seconds for all of them on one core of 2020, within a factor of three or so. Runs of a search share the cores.
+    pub seconds: f64,
+    /// Bytes of the largest arrays at once.
+    pub bytes: usize,
+}
+
+/// Newton steps to a least area by a tolerance of 1e-10 from all its starts, in the mean over frames.
+const STEPS: f64 = 40.0;
+
+/// Multiplications and additions a second, as far as these loops reach them.
+const SPEED: f64 = 4e9;
+
+/// Seconds of a step that no array takes.
+const CALLS: f64 = 2e-5;
+
+/// Shapes that a descent tries, in the mean.
+const DESCENT: u64 = 15;
+
+impl Method {
+    /// What this method costs over a net of these degrees before it is raised; none if it finds no least area. `search` counts
+    /// if the shape is searched.
+    #[must_use]
+    pub fn cost(&self, degrees: (usize, usize), search: &Search) -> Option<Cost> {
+        match self.interior {
+            Interior::Extremal { energy: Energy::Area, .. } => {}
+            Interior::Extremal { .. } | Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => {
+                return None;
+            }
+        }
+        let least_areas = match self.shape {
+            Shape::None | Shape::Fixed(_) => 1,
+            Shape::Search(mode) => search.shapes(mode).saturating_add(1),
+        };
+        let (m, n) = (degrees.0 + self.raise, degrees.1 + self.raise);
+        let step = CALLS + operations(self.patch, m as f64, n as f64) / SPEED;
+        Some(Cost {
+            least_areas,
+            seconds: least_areas as f64 * STEPS * step,
+            bytes: memory::of_method(self, degrees),
+        })
+    }
+}
+
+impl Search {
+    /// How many shapes a search tries, about.
+    #[must_use]
+    pub fn shapes(&self, mode: SearchMode) -> u64 {
+        let runs = self.runs as u64;
+        let swarm = (self.particles as u64).saturating_mul(self.iterations as u64 + 1).saturating_mul(runs);
+        match mode {
+            SearchMode::Pso => swarm,
+            SearchMode::Polish => DESCENT * runs,
+            SearchMode::PsoPolish => swarm.saturating_add(DESCENT * runs),
+        }
+    }
+}
+
+/// Multiplications and additions of one Newton step: the Hessian over a rule of about the degree and a half, and its factorisation.
+fn operations(patch: Patch, m: f64, n: f64) -> f64 {
+    let line = 1.5 * m.max(n) + 4.0;
+    let cube = |unknowns: f64| unknowns.powi(3) / 3.0;
+    match patch {
+        // Sums over v for every line of constant u, then over u.
+        Patch::Tensor => {
+            let free = (m - 1.0).max(0.0) * (n - 1.0).max(0.0);
+            30.0 * (line * n).powi(2) + 24.0 * line * (m * n).powi(2) + cube(3.0 * free)
+        }
+        // Sums over all points for all pairs of unknowns.
+        Patch::TbCoons => {
+            let unknowns = 3.0 * (m - 1.0).max(0.0) * (n - 1.0).max(0.0);
+            2.0 * (line * unknowns).powi(2) + cube(unknowns)
+        }
+        Patch::Triangle => {
+            let unknowns = 1.5 * (n - 1.0).max(0.0) * (n - 2.0).max(0.0);
+            let line = 0.75 * n + 6.0;
+            6.0 * (line * unknowns).powi(2) + cube(unknowns)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Basis, SolverChoice};
+
+    fn method(shape: Shape, raise: usize) -> Method {
+        Method {
+            name: "a".to_owned(),
+            patch: Patch::Tensor,
+            basis: if shape == Shape::None { Basis::Bernstein } else { Basis::Gt },
+            shape,
+            interior: Interior::Extremal { energy: Energy::Area, metric_steps: 0 },
+            search_energy: Energy::Area,
+            raise,
+            solver: SolverChoice::Auto,
+            domain: energy::ReferenceTriangle::Right,
+            tolerance: 1e-10,
+            bound: false,
+        }
+    }
+
+    #[test]
+    fn a_swarm_costs_hundreds_of_times_what_descents_do_and_no_search_nothing() {
+        let of = |shape| method(shape, 0).cost((3, 3), &Search::default()).expect("a least area");
+        let [one, polish, swarm] =
+            [Shape::Fixed([1.0; 4]), Shape::Search(SearchMode::Polish), Shape::Search(SearchMode::Pso)]
+                .map(of);
+        assert_eq!([one.least_areas, polish.least_areas, swarm.least_areas], [1, 151, 50_501]);
+        assert!(swarm.seconds > 300.0 * polish.seconds && polish.seconds > 100.0 * one.seconds);
+        let other = Method {
+            interior: Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 0 },
+            ..method(Shape::None, 0)
+        };
+        assert_eq!(other.cost((3, 3), &Search::default()), None);
+    }
+
+    #[test]
+    fn time_and_memory_grow_with_the_degree() {
+        let of = |raise| method(Shape::None, raise).cost((2, 2), &Search::default()).expect("a least area");
+        for raise in 0..30 {
+            let (lower, higher) = (of(raise), of(raise + 1));
+            assert!(lower.seconds < higher.seconds && lower.bytes < higher.bytes, "{lower:?} {higher:?}");
+        }
+        assert!(of(30).seconds > 100.0 * of(8).seconds);
+    }
+}
