@@ -18,7 +18,7 @@ pub fn key_list() -> String {
          program. -->\n\nA key without a default may be left out, unless it is **needed**. Numbers may be written with or without a \
          point. Tables in the list are described by what follows.\n",
     );
-    let tables: [(&str, &Section); 16] = [
+    let tables: [(&str, &Section); 17] = [
         ("The file", &EXPERIMENT),
         ("[boundary]", &keys::boundary::SECTION),
         ("[[curve]]", &boundary_curve::SECTION),
@@ -33,6 +33,7 @@ pub fn key_list() -> String {
         ("[search]", &keys::search::SECTION),
         ("[helicoid]", &helicoid::SECTION),
         ("[trapezium-helicoid]", &helicoid::trapezium::SECTION),
+        ("[net]", &keys::net::SECTION),
         ("[curve]", &keys::curve::SECTION),
         ("[output]", &keys::output::SECTION),
     ];

@@ -7,6 +7,7 @@ pub(crate) mod expect;
 pub(crate) mod face;
 pub(crate) mod helicoid;
 pub(crate) mod method;
+pub(crate) mod net;
 pub(crate) mod output;
 pub(crate) mod search;
 
@@ -31,6 +32,7 @@ pub(crate) static TRAPEZIUM: Key<Inner> =
     Key::table("trapezium-helicoid", Inner(&helicoid::trapezium::SECTION));
 pub(crate) static CURVE: Key<OneOrSeveral> =
     Key::table("curve", OneOrSeveral { one: &curve::SECTION, several: &boundary_curve::SECTION });
+pub(crate) static NET: Key<Inner> = Key::table("net", Inner(&net::SECTION));
 pub(crate) static FACE: Key<Several> = Key::table("face", Several(&face::SECTION));
 pub(crate) static VERTEX: Key<Several> = Key::table("vertex", Several(&face::vertex::SECTION));
 pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
@@ -38,16 +40,17 @@ pub(crate) static OUTPUT: Key<Inner> = Key::table("output", Inner(&output::SECTI
 
 /// The file as a whole.
 pub(crate) static EXPERIMENT: Section = Section {
-    doc: "an experiment file of plateau: one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]",
+    doc: "an experiment file of plateau: one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [net], [curve]",
     keys: &[
-        &TITLE, &SEED, &BOUNDARY, &METHOD, &SEARCH, &HELICOID, &TRAPEZIUM, &CURVE, &FACE, &VERTEX, &EXPECT,
-        &OUTPUT,
+        &TITLE, &SEED, &BOUNDARY, &METHOD, &SEARCH, &HELICOID, &TRAPEZIUM, &NET, &CURVE, &FACE, &VERTEX,
+        &EXPECT, &OUTPUT,
     ],
     ways: Ways::Any(&[
         &["boundary", "method"],
         &["face", "method"],
         &["helicoid"],
         &["trapezium-helicoid"],
+        &["net"],
         &["curve"],
     ]),
 };

@@ -18,6 +18,7 @@ mod interior;
 mod loops;
 mod memory;
 mod method;
+mod net;
 mod patch;
 mod search;
 mod shape;
@@ -25,7 +26,7 @@ mod side;
 
 pub use self::experiment::stem;
 
-use plateau::{Curve, Helicoid, TrapeziumHelicoid};
+use plateau::{Curve, Helicoid, OwnNet, TrapeziumHelicoid};
 
 use exchange::Format;
 pub use expected::{Expected, Published, Wanted};
@@ -64,6 +65,8 @@ pub enum Experiment {
     Helicoid(Helicoid),
     /// `[trapezium-helicoid]`: a right helicoid over a trapezium, exact in AT ⊗ degree 1 (AT).
     TrapeziumHelicoid(TrapeziumHelicoid),
+    /// `[net]`: a surface of which every control point is given.
+    Net(OwnNet),
     /// `[curve]`: one curve, sampled.
     Curve(Curve),
 }

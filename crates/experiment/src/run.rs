@@ -2,7 +2,7 @@
 
 use plateau::{
     Arithmetic, Context, Degeneracy, Done, Energy, Fill, Helicoid, Keeper, MethodError, MethodResult,
-    Progress, Quantity, Results, Solved, degeneracies, helicoids, sample, solve, trapezium,
+    Progress, Quantity, Results, Solved, degeneracies, helicoids, of_net, sample, solve, trapezium,
 };
 
 use crate::{Expected, Experiment, FilmExperiment, FilmMethod, Output, PatchExperiment, Plan, Rim, Wanted};
@@ -80,6 +80,7 @@ pub fn run_kept(
             wanted = wanted_of_frames(helicoid, wanted);
         }
         Experiment::TrapeziumHelicoid(helicoid) => results.methods = vec![trapezium(helicoid, mesh)],
+        Experiment::Net(net) => results.methods = vec![of_net(net, mesh)],
         Experiment::Curve(curve) => {
             let sampled = sample(curve)?;
             results.warnings.extend(without_mesh(&plan.output));

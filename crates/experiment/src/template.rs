@@ -19,13 +19,15 @@ pub enum Template {
     Helicoid,
     /// Helicoids over a trapezium.
     TrapeziumHelicoid,
+    /// Nets of one's own.
+    Net,
     /// Curves.
     Curve,
 }
 
 impl Template {
     /// Every template.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Tensor,
         Self::TbCoons,
         Self::Harmonic,
@@ -34,6 +36,7 @@ impl Template {
         Self::Faces,
         Self::Helicoid,
         Self::TrapeziumHelicoid,
+        Self::Net,
         Self::Curve,
     ];
 
@@ -49,6 +52,7 @@ impl Template {
             Self::Faces => "faces",
             Self::Helicoid => "helicoid",
             Self::TrapeziumHelicoid => "trapezium-helicoid",
+            Self::Net => "net",
             Self::Curve => "curve",
         }
     }
@@ -65,6 +69,7 @@ impl Template {
             Self::Faces => "Surfaces of several faces between curves: frames, tents, soap films",
             Self::Helicoid => "Generalized helicoids, exact in the AHT basis, and their deformation",
             Self::TrapeziumHelicoid => "Helicoids over a trapezium, exact in the AT basis",
+            Self::Net => "The surface of a net of one's own, in any of the bases",
             Self::Curve => "One curve with its derivatives and curvature",
         }
     }
@@ -87,6 +92,7 @@ impl Template {
             Self::Faces => include_str!("../templates/faces.toml"),
             Self::Helicoid => include_str!("../templates/helicoid.toml"),
             Self::TrapeziumHelicoid => include_str!("../templates/trapezium-helicoid.toml"),
+            Self::Net => include_str!("../templates/net.toml"),
             Self::Curve => include_str!("../templates/curve.toml"),
         }
     }

@@ -162,7 +162,7 @@ fn probe(table: &str, line: &str) -> String {
     let boundary = if table == "boundary" { line } else { sides };
     let tables = match table {
         "" => return format!("title = \"probe\"\n{line}\n"),
-        "helicoid" | "trapezium-helicoid" | "curve" => {
+        "helicoid" | "trapezium-helicoid" | "net" | "curve" => {
             return format!("title = \"probe\"\n[{table}]\n{line}\n");
         }
         "[curve]" | "[face]" | "[vertex]" => {
@@ -200,6 +200,7 @@ fn tables(schema: &Value) -> Vec<(&'static str, &Value)> {
         ("search", at("/properties/search")),
         ("helicoid", at("/properties/helicoid")),
         ("trapezium-helicoid", at("/properties/trapezium-helicoid")),
+        ("net", at("/properties/net")),
         ("curve", at("/properties/curve/anyOf/0")),
         ("[curve]", at("/properties/curve/anyOf/1/items")),
         ("curve.spline", at("/properties/curve/anyOf/1/items/properties/spline")),

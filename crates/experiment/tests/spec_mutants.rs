@@ -95,6 +95,19 @@ gamma = [6.2, 12.5]
 beta = [1.0, 0.5]
 "#;
 
+const NET: &str = r#"title = "Net of its own"
+[net]
+basis = "at"
+v-span = 3.0
+v-cuts = [1.0, 2.0]
+points = [
+  [[0, 0, 0], [0, 1, 0], [0, 2, 0], [0, 3, 0], [0, 4, 0], [0, 5, 0]],
+  [[1, 0, 1], [1, 1, 1], [1, 2, 0], [1, 3, 0], [1, 4, 1], [1, 5, 1]],
+]
+[expect]
+area = { value = 6.0, tolerance = 1.0 }
+"#;
+
 const CURVE: &str = r#"title = "Curve"
 [curve]
 basis = "gt"
@@ -388,6 +401,22 @@ const MUTANTS: &[Mutant] = &[
     mutant("gamma of one", TRAPEZIUM, &[("gamma = [6.2, 12.5]", "gamma = «[6.2]»")], Inadmissible, &["gamma", "1 number instead of 2"]),
     mutant("crossing sides", TRAPEZIUM, &[("beta = [1.0, 0.5]", "beta = «[3.0, 0.0]»")], Conflict, &["cross at v = 2.1", "keep apart"]),
     mutant("coinciding sides", TRAPEZIUM, &[("gamma = [6.2, 12.5]", "gamma = [1, 1]"), ("beta = [1.0, 0.5]", "beta = «[1, 1]»")], Conflict, &["coincide"]),
+    mutant("unknown construction of a helicoid", TRAPEZIUM, &[("span = 3.9", "span = 3.9\nconstruction = «\"geometry\"»")], Inadmissible, &["did you mean \"geometric\"?"]),
+    // Nets of one's own.
+    mutant("net without a basis", NET, &[("[net]", "«[net]»"), ("basis = \"at\"\n", "")], Missing, &["`basis`"]),
+    mutant("net without its span", NET, &[("[net]", "«[net]»"), ("v-span = 3.0\n", "")], Missing, &["`v-span`", "2π"]),
+    mutant("net of more than a turn", NET, &[("v-span = 3.0", "v-span = «6.5»")], Inadmissible, &["v-span", "below 6.28", "cut"]),
+    mutant("span of a linear direction", NET, &[("v-span = 3.0", "v-span = 3.0\nu-span = «1.0»")], Conflict, &["u-span", "linear"]),
+    mutant("cuts of a linear direction", NET, &[("v-span = 3.0", "v-span = 3.0\nu-cuts = «[0.5]»")], Conflict, &["u-cuts", "linear"]),
+    mutant("cut at the end", NET, &[("[1.0, 2.0]", "[1.0, «3.0»]")], Inadmissible, &["v-cuts", "leaves no interval", "ascend"]),
+    mutant("cuts that descend", NET, &[("[1.0, 2.0]", "[«2.0», 1.0]")], Inadmissible, &["v-cuts", "ascend"]),
+    mutant("cut at zero", NET, &[("[1.0, 2.0]", "[«0.0», 1.0]")], Inadmissible, &["v-cuts"]),
+    mutant("own net with rows of different length", NET, &[("[[1, 0, 1], [1, 1, 1], [1, 2, 0], [1, 3, 0], [1, 4, 1], [1, 5, 1]]", "«[[1, 0, 1], [1, 1, 1], [1, 2, 0], [1, 3, 0], [1, 4, 1]]»")], Conflict, &["row 1", "5 points", "row 0 has 6"]),
+    mutant("net in a polynomial basis with a span", NET, &[("basis = \"at\"", "basis = \"bernstein\""), ("v-span = 3.0", "v-span = «3.0»")], Conflict, &["v-span", "\"bernstein\"", "\"aht\" and \"at\""]),
+    mutant("gt net of two rows", NET, &[("basis = \"at\"\nv-span = 3.0\nv-cuts = [1.0, 2.0]\n", "basis = \"gt\"\nshape = [1, 1, 1, 1]\n"), ("points = [\n  [[0, 0, 0], [0, 1, 0], [0, 2, 0], [0, 3, 0], [0, 4, 0], [0, 5, 0]],\n  [[1, 0, 1], [1, 1, 1], [1, 2, 0], [1, 3, 0], [1, 4, 1], [1, 5, 1]],\n]", "points = «[\n  [[0, 0, 0], [0, 1, 0], [0, 2, 0], [0, 3, 0], [0, 4, 0], [0, 5, 0]],\n  [[1, 0, 1], [1, 1, 1], [1, 2, 0], [1, 3, 0], [1, 4, 1], [1, 5, 1]],\n]»")], Inadmissible, &["2 × 6", "3 or more"]),
+    mutant("net with nan", NET, &[("[1, 4, 1]", "[1, «nan», 1]")], Inadmissible, &["y of point 4", "not finite"]),
+    mutant("net and helicoid", HELICOID, &[("[helicoid]", "«[net]»\nbasis = \"at\"\n[helicoid]")], Conflict, &["both [helicoid] and [net]"]),
+    mutant("expected deviation of a net", NET, &[("area = {", "deviation = «0.0»\narea = {")], Conflict, &["deviation", "no closed form"]),
     // Loops.
     mutant("polygon of two", POLYGON, &[("[[0, 0, 0], [1, 0, 0], [1, 1, 1], [0.5, 1.5, 0.5], [0, 1, 0]]", "«[[0, 0, 0], [1, 0, 0]]»")], Inadmissible, &["polygon", "2 points", "3 to 200 corners"]),
     mutant("polygon closed twice", POLYGON, &[("[0, 1, 0]]", "[0, 1, 0], «[0, 0, 0]»]")], Inadmissible, &["polygon", "leave out the last corner"]),
@@ -554,7 +583,9 @@ fn every_mutant_is_refused_at_its_place_with_a_remedy() {
 
 #[test]
 fn the_bases_are_sound_and_mutants_many() {
-    for base in [TENSOR, BILINEAR, ROWS, TRIANGLE, HELICOID, TRAPEZIUM, CURVE, POLYGON, SIDES, RINGS, FACES] {
+    for base in
+        [TENSOR, BILINEAR, ROWS, TRIANGLE, HELICOID, TRAPEZIUM, NET, CURVE, POLYGON, SIDES, RINGS, FACES]
+    {
         if let Err(refusal) = Plan::parse("base.toml", base) {
             panic!("{refusal}");
         }

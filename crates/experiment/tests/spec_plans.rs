@@ -112,9 +112,12 @@ fn every_way_to_say_search_and_shape() {
         ("shape = [1, 2.5, 0, 4]", Shape::Fixed([1.0, 2.5, 0.0, 4.0])),
         ("search = false\nshape = [1, 1, 1, 1]", Shape::Fixed([1.0; 4])),
     ] {
-        let text = format!("[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"area\"\n{line}\n");
+        let text = format!("[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\n{line}\n");
         assert_eq!(methods(&text)[0].shape, shape, "{line}");
     }
+    // A swarm would find fifty thousand least areas.
+    let text = "[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"area\"\nsearch = true\n";
+    assert_eq!(methods(text)[0].shape, Shape::Search(SearchMode::Polish));
     let text = "[[method]]\nname = \"a\"\nenergy = \"area\"\nsearch = false\n";
     assert_eq!(methods(text)[0].shape, Shape::None);
 }

@@ -61,6 +61,9 @@ pub(crate) enum Command {
         /// The kind of experiment
         kind: Kind,
     },
+    /// Draw what the papers draw of their functions, as SVG
+    #[command(subcommand)]
+    Draw(Drawing),
     /// Print a completion script for a shell
     Completions {
         /// The shell
@@ -103,6 +106,50 @@ pub(crate) struct RunArguments {
     /// Instructions of the search: portable ones give the same bits on every processor
     #[arg(long, value_name = "SET", default_value = "auto")]
     pub(crate) arithmetic: Arithmetic,
+}
+
+/// What `draw` draws.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Drawing {
+    /// The functions of a basis over their parameter; a panel for each shape or span. `plateau draw basis aht > aht.svg` is AHT Figure 2
+    Basis(BasisArguments),
+}
+
+/// What `draw basis` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct BasisArguments {
+    /// The family
+    pub(crate) family: FamilyName,
+    /// Degree of the Bernstein or GT functions; AHT and AT have six
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
+    pub(crate) degree: u16,
+    /// Shape parameters θ1,θ2 of GT functions, each from 0 to 4; may be given several times [default: 1,1]
+    #[arg(long, value_name = "T1,T2", value_parser = shape)]
+    pub(crate) shape: Vec<[f64; 2]>,
+    /// Length of the interval of AHT functions, below 7.853, or AT functions, below 2π; may be given several times [default: 2π of AHT, π of AT]
+    #[arg(long, value_name = "S")]
+    pub(crate) span: Vec<f64>,
+    /// The file to write; by default stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// A family of functions of one variable.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum FamilyName {
+    Bernstein,
+    Gt,
+    Aht,
+    At,
+}
+
+/// Two numbers with a comma between them.
+fn shape(text: &str) -> Result<[f64; 2], String> {
+    let number = |text: &str| text.trim().parse::<f64>().map_err(|_| format!("{text:?} is not a number"));
+    match text.split_once(',') {
+        Some((first, second)) => Ok([number(first)?, number(second)?]),
+        None => Err("two numbers are needed, as in --shape 1,2".to_owned()),
+    }
 }
 
 /// What `import` takes.
@@ -421,6 +468,7 @@ fn subject(plan: &Plan) -> String {
         Experiment::Film(film) => methods(film.methods.len()),
         Experiment::Helicoid(_) => "a helicoid".to_owned(),
         Experiment::TrapeziumHelicoid(_) => "a helicoid over a trapezium".to_owned(),
+        Experiment::Net(_) => "a net of its own".to_owned(),
         Experiment::Curve(curve) => format!("a curve at {} samples", curve.samples.len()),
     }
 }

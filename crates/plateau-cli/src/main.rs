@@ -13,6 +13,7 @@ mod batch;
 mod command;
 mod conversion;
 mod costs;
+mod drawing;
 mod fill;
 mod interrupt;
 mod outlet;
@@ -52,6 +53,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Import(arguments) => conversion::import(&arguments, stdout),
         Command::Export(arguments) => conversion::export(&arguments, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
+        Command::Draw(drawing) => drawing::draw(&drawing, stdout),
         Command::Completions { shell } => command::completions(shell, stdout),
         Command::Man => command::man(stdout),
         Command::Schema => Ok(stdout.write_all(experiment::experiment_schema().as_bytes())?),

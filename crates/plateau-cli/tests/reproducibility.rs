@@ -127,6 +127,9 @@ fn every_kind_of_result_verifies_bit_for_bit() {
         "helicoid-deformation.toml",
         "helicoid-ten-turns.toml",
         "trapezium-helicoid.toml",
+        "trapezium-helicoid-geometric.toml",
+        "net-aht.toml",
+        "net-at.toml",
         "curve-aht.toml",
         "area-saddle.toml",
     ];

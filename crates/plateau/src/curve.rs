@@ -52,6 +52,30 @@ impl CurveBasis {
             Self::Aht { span } | Self::At { span } => [0.0, span],
         }
     }
+
+    /// Its functions of degree `degree`, one more than the degree; AHT and AT have six whatever it is.
+    ///
+    /// # Errors
+    /// [`MethodError::Basis`] for a degree or parameters that the family does not have.
+    pub fn functions(&self, degree: usize) -> Result<Arc<dyn Basis>, MethodError> {
+        Ok(match *self {
+            Self::Bernstein => Arc::new(Bernstein::new(degree)?),
+            Self::Gt { shape } => Arc::new(Gt::new(degree, shape)?),
+            Self::Aht { span } => Arc::new(Aht::new(span)?),
+            Self::At { span } => Arc::new(At::new(span)?),
+        })
+    }
+
+    /// In words, with its parameters: `GT, degree 3, θ = (1, 2)`.
+    #[must_use]
+    pub fn described(&self, degree: usize) -> String {
+        match *self {
+            Self::Bernstein => format!("Bernstein, degree {degree}"),
+            Self::Gt { shape: [first, second] } => format!("GT, degree {degree}, θ = ({first}, {second})"),
+            Self::Aht { span } => format!("AHT, span {span}"),
+            Self::At { span } => format!("AT, span {span}"),
+        }
+    }
 }
 
 /// A curve that was sampled. All lists have one entry per sample.
@@ -83,11 +107,12 @@ pub struct CurveResult {
 /// [`MethodError::Surface`], [`MethodError::Basis`] for points or a basis that make no curve; [`MethodError::Overflow`] for
 /// derivatives beyond double precision.
 pub fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
-    let basis = family(plan)?;
+    let degree = plan.points.len() - 1;
+    let basis = plan.basis.functions(degree)?;
     let points: Vec<Point> = plan.points.iter().copied().map(Point::from).collect();
     let curve = surfaces::Curve::new(basis.clone(), points)?;
     let mut result = CurveResult {
-        name: described(plan),
+        name: plan.basis.described(degree),
         t: plan.samples.clone(),
         basis: Vec::with_capacity(plan.samples.len()),
         jets: Vec::with_capacity(plan.samples.len()),
@@ -118,26 +143,6 @@ fn curvature(jet: &CurveJet, points: &[Point], derivatives: &[f64], dimension: u
         return None;
     }
     if dimension == 2 { jet.signed_curvature() } else { jet.curvature() }
-}
-
-fn family(plan: &Curve) -> Result<Arc<dyn Basis>, MethodError> {
-    let degree = plan.points.len() - 1;
-    Ok(match plan.basis {
-        CurveBasis::Bernstein => Arc::new(Bernstein::new(degree)?),
-        CurveBasis::Gt { shape } => Arc::new(Gt::new(degree, shape)?),
-        CurveBasis::Aht { span } => Arc::new(Aht::new(span)?),
-        CurveBasis::At { span } => Arc::new(At::new(span)?),
-    })
-}
-
-fn described(plan: &Curve) -> String {
-    let degree = plan.points.len() - 1;
-    match plan.basis {
-        CurveBasis::Bernstein => format!("Bernstein, degree {degree}"),
-        CurveBasis::Gt { shape: [first, second] } => format!("GT, degree {degree}, θ = ({first}, {second})"),
-        CurveBasis::Aht { span } => format!("AHT, span {span}"),
-        CurveBasis::At { span } => format!("AT, span {span}"),
-    }
 }
 
 /// `∫ ‖c'‖` by Gauss rules of 16, 32, … points until a doubling moves it by no more than 1e-13 of its value, at most 512

@@ -45,6 +45,18 @@ pub struct TrapeziumHelicoid {
     pub gamma: [f64; 2],
     /// Slopes (β0, β1) of the two sides, which do not cross inside (0, span).
     pub beta: [f64; 2],
+    /// Where its control points come from.
+    pub construction: Construction,
+}
+
+/// How the control points of a helicoid over a trapezium are found; the two ways agree to rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Construction {
+    /// From the values and derivatives at the ends (AT (0.2), (0.3), corrected).
+    #[default]
+    EndpointRule,
+    /// By right angles and lengths in the plane, then each point lifted to its height (AT Theorems 1–3).
+    Geometric,
 }
 
 /// Share of the bound of a basis beyond which control points of a single patch lose digits.
@@ -106,13 +118,11 @@ pub fn trapezium(plan: &TrapeziumHelicoid, mesh: usize) -> MethodResult {
         let bound = bases::At::SUPREMUM;
         let piece = [surfaces::TrapeziumHelicoid::LARGEST_WHOLE, surfaces::TrapeziumHelicoid::LARGEST_PIECE];
         let warnings = span_warning("span", plan.span, bound, piece, "AT").into_iter().collect();
-        finish(
-            (helicoid.pieces()?, Family::At),
-            mesh,
-            None,
-            |patch| helicoid.deviation(patch, mesh),
-            warnings,
-        )
+        let pieces = match plan.construction {
+            Construction::EndpointRule => helicoid.pieces()?,
+            Construction::Geometric => helicoid.constructed_pieces()?,
+        };
+        finish((pieces, Family::At), mesh, None, |patch| helicoid.deviation(patch, mesh), warnings)
     };
     result("trapezium helicoid".into(), exact())
 }

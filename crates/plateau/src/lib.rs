@@ -22,7 +22,8 @@
 //!   harmonic nets, their shape parameters given or searched ([`Search`]). What comes out is [`Done`]: the [`Surface`], the way
 //!   to it, its [`Figures`], and each [`Warning`] that a reader needs.
 //! - [`ReducedEnergy`] joins energies, systems and searches: a swarm of `optim` over it tunes a GT patch in fifteen lines.
-//! - [`helicoids`] and [`trapezium`] make the helicoids of AHT and AT, [`sample`] samples a curve.
+//! - [`helicoids`] and [`trapezium`] make the helicoids of AHT and AT, [`of_net`] the surface of a net of one's own, [`sample`] samples
+//!   a curve.
 //! - [`fill()`] goes from loops to the film of least area in them; [`Fill`] from loops or a graph of curves, in every way.
 //! - [`Cutting`] cuts loops and graphs of curves into the quadrilaterals of a [`surfaces::Complex`].
 //! - [`degeneracies`] says what is wrong with a boundary before anything is computed.
@@ -55,6 +56,7 @@ mod lower_bound;
 mod memory;
 mod method;
 mod outcome;
+mod own_net;
 mod progress;
 mod quantity;
 mod seams;
@@ -86,7 +88,9 @@ pub use family::Family;
 pub use figures::Figures;
 pub use film::{Fill, FillEnergy, Film, FilmFace, Tried, fill};
 pub use film_figures::FilmFigures;
-pub use helicoid::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium};
+pub use helicoid::{
+    Construction, Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium,
+};
 pub use keeper::Keeper;
 pub(crate) use least_area::costs_less;
 pub use least_area::{
@@ -98,6 +102,7 @@ pub use least_area::{
 pub use lower_bound::{CalibratedFace, Competitors, LowerBound, NoBound, lower_bound, lower_bound_of_net};
 pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};
 pub use outcome::{MethodResult, Results};
+pub use own_net::{NetBasis, OrderSix, OwnNet, of_net};
 pub use progress::Progress;
 pub use quantity::{Measured, Quantity};
 pub use seams::{Kink, Seams};

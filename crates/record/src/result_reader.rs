@@ -4,14 +4,12 @@ use std::collections::{HashMap, HashSet};
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
-use std::sync::Arc;
 
-use bases::{Aht, At, Basis, BasisError, Bernstein};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use surfaces::{
-    Bezier, Complex, FixedEdge, Mesh, Net, Pieces, Point, Product, SurfaceError, TensorPatch, TriangleNet,
+    Bezier, Complex, FixedEdge, Mesh, Net, Pieces, Point, SurfaceError, TensorPatch, TriangleNet,
     TrianglePatch, Vertex, tb_coons,
 };
 use thiserror::Error;
@@ -289,28 +287,24 @@ fn surface(mut entry: Entry, place: &str) -> Result<(Surface, Family), ReadError
             complex(&faces, &numbers(&faces, order, &key("vertices"))?, &key("faces"))?
         }
         Family::Triangle => triangle(&typed::<Vec<IndexedPoint>>(entry.net, &net_key)?, &net_key)?,
-        Family::Aht => all_pieces(entry, aht, place)?,
-        Family::At => all_pieces(entry, at, place)?,
+        Family::Aht => all_pieces(entry, TensorPatch::aht, place)?,
+        Family::At => all_pieces(entry, TensorPatch::at, place)?,
     };
     Ok((surface, family))
 }
 
 /// The pieces of an entry, or the one of its net and domain.
-fn all_pieces(
-    entry: Entry,
-    families: fn(&PieceEntry) -> Families,
-    place: &str,
-) -> Result<Surface, ReadError> {
+fn all_pieces(entry: Entry, patch: OfNet, place: &str) -> Result<Surface, ReadError> {
     let key = |name: &str| format!("{place}.{name}");
     let pieces = match entry.pieces {
         Some(value) => {
             let key = key("pieces");
-            pieces(&typed::<Vec<PieceEntry>>(Some(value), &key)?, families, &key)?
+            pieces(&typed::<Vec<PieceEntry>>(Some(value), &key)?, patch, &key)?
         }
         None => {
             let DomainEntry { u, v } = typed(entry.domain, &key("domain"))?;
             let net = typed::<Rows>(entry.net, &key("net"))?;
-            pieces(&[PieceEntry { u, v, net }], families, place)?
+            pieces(&[PieceEntry { u, v, net }], patch, place)?
         }
     };
     Ok(Surface::Pieces(pieces))
@@ -358,11 +352,7 @@ fn triangle(points: &[IndexedPoint], key: &str) -> Result<Surface, ReadError> {
         .map_err(|error| unfit(key, error.to_string()))
 }
 
-fn pieces(
-    entries: &[PieceEntry],
-    families: fn(&PieceEntry) -> Families,
-    key: &str,
-) -> Result<Pieces, ReadError> {
+fn pieces(entries: &[PieceEntry], patch: OfNet, key: &str) -> Result<Pieces, ReadError> {
     let Some(first) = entries.first() else { return Err(unfit(key, "is empty".into())) };
     let cols = entries.iter().take_while(|entry| entry.u == first.u).count();
     let cuts = |ends: &mut dyn Iterator<Item = [f64; 2]>| -> Vec<f64> {
@@ -388,11 +378,8 @@ fn pieces(
                 "its intervals do not continue the grid of the pieces before it".into(),
             ));
         }
-        let patch = families(entry)
-            .map_err(SurfaceError::from)
-            .and_then(|[u, v]| TensorPatch::new(vec![Product { u, v }], net))
-            .map_err(|error| unfit(&here, error.to_string()))?;
-        patches.push(patch);
+        let spans = [entry.u, entry.v].map(|[start, end]| end - start);
+        patches.push(patch(net, spans).map_err(|error| unfit(&here, error.to_string()))?);
     }
     Pieces::from_patches(u, v, patches).map_err(|error| unfit(key, error.to_string()))
 }
@@ -464,18 +451,8 @@ fn complex(faces: &[FaceEntry], numbers: &HashMap<String, usize>, key: &str) -> 
     filled.map(Surface::Complex).map_err(|error| unfit(key, error.to_string()))
 }
 
-/// The families of the two directions of a piece.
-type Families = Result<[Arc<dyn Basis>; 2], BasisError>;
-
-fn aht(piece: &PieceEntry) -> Families {
-    let direction = |[start, end]: [f64; 2]| Aht::new(end - start);
-    Ok([Arc::new(direction(piece.u)?), Arc::new(direction(piece.v)?)])
-}
-
-fn at(piece: &PieceEntry) -> Families {
-    let [start, end] = piece.v;
-    Ok([Arc::new(Bernstein::new(1)?), Arc::new(At::new(end - start)?)])
-}
+/// The patch of a net over intervals of two lengths.
+type OfNet = fn(Net, [f64; 2]) -> Result<TensorPatch, SurfaceError>;
 
 pub(crate) fn check_schema(found: Option<String>) -> Result<(), ReadError> {
     let found = required(found, "schema")?;

@@ -1,7 +1,8 @@
 //! What a person sees: tables on a terminal, pictures, one page with everything.
 //!
 //! [`table()`] prints the figures of [`Results`](plateau::Results). A [`Scene`] samples their surfaces once, in one frame and
-//! on one scale; [`pictures()`] draws it as SVG, [`page()`] as one HTML file that needs nothing but itself.
+//! on one scale; [`pictures()`] draws it as SVG, [`page()`] as one HTML file that needs nothing but itself. [`basis_functions`] draws the functions
+//! of a basis.
 //! [`Printable`] makes text from outside fit for a terminal.
 
 mod colour;
@@ -15,7 +16,7 @@ mod table;
 
 pub use curvature_colours::by_mean_curvature;
 pub use page::{About, Comparison, Verdict, page};
-pub use picture::{PICTURES, Picture, pictures};
+pub use picture::{PICTURES, Picture, basis_functions, pictures};
 pub use printable::{Printable, stand_ins, width_of_names};
 pub use scene::Scene;
 pub use table::{Cells, Column, WIDTH, grid, table};

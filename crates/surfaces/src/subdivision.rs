@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use bases::Matrix;
 
-use crate::{Curve, Net, Point, Product, SurfaceError, TensorPatch};
+use crate::{Curve, Net, Pieces, Point, Product, SurfaceError, TensorPatch};
 
 impl Curve {
     /// Most halvings of [`Self::refined`].
@@ -82,6 +82,36 @@ impl TensorPatch {
             Self::new(vec![Product { u: Arc::clone(&product.u), v }], net)
         };
         Ok([side(cut.left, &cut.left_map)?, side(cut.right, &cut.right_map)?])
+    }
+
+    /// The patch cut along parameter lines: those of u at `cuts[0]`, of v at `cuts[1]`, each list ascending inside the domain. For the
+    /// families that keep their speed where they are cut, AHT and AT; other directions admit no cut. Without any it is one piece.
+    ///
+    /// # Errors
+    /// As for [`Self::subdivide_u`]; [`SurfaceError::Interval`] where a family that was cut does not keep its speed.
+    pub fn cut(&self, cuts: [&[f64]; 2]) -> Result<Pieces, SurfaceError> {
+        let along = |patch: &Self,
+                     cuts: &[f64],
+                     start: f64,
+                     cut: fn(&Self, f64) -> Result<[Self; 2], SurfaceError>| {
+            let (mut parts, mut rest, mut begin) = (Vec::new(), patch.clone(), start);
+            for &at in cuts {
+                let [part, after] = cut(&rest, at - begin)?;
+                parts.push(part);
+                (rest, begin) = (after, at);
+            }
+            parts.push(rest);
+            Ok::<_, SurfaceError>(parts)
+        };
+        let [u, v] = self.rectangle();
+        let mut patches = Vec::new();
+        for strip in along(self, cuts[0], u.0, Self::subdivide_u)? {
+            patches.extend(along(&strip, cuts[1], v.0, Self::subdivide_v)?);
+        }
+        let all = |(start, end): (f64, f64), inner: &[f64]| {
+            std::iter::once(start).chain(inner.iter().copied()).chain(std::iter::once(end)).collect()
+        };
+        Pieces::from_patches(all(u, cuts[0]), all(v, cuts[1]), patches)
     }
 
     fn single_product(&self) -> Result<&Product, SurfaceError> {

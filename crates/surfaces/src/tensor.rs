@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use bases::{Basis, Bernstein, Gt, Matrix};
+use bases::{Aht, At, Basis, BasisError, Bernstein, Gt, Matrix};
 
 use crate::{Domain, Jet, Net, Patch, Point, SurfaceError};
 
@@ -72,6 +72,35 @@ impl TensorPatch {
         let (m, n) = net.degrees();
         let product = Product { u: Arc::new(Gt::new(m, [a1, a2])?), v: Arc::new(Gt::new(n, [b1, b2])?) };
         Self::new(vec![product], net)
+    }
+
+    /// The patch of a net in the functions of order 6 of AHT over `[0, spans[0]] × [0, spans[1]]`; a direction with two points is
+    /// linear over [0, 1], whatever its span.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Basis`] for a span that [`Aht::new`] refuses; [`SurfaceError::Size`] if a direction has neither 2 nor 6 points.
+    pub fn aht(net: Net, spans: [f64; 2]) -> Result<Self, SurfaceError> {
+        Self::order_six(net, spans, |span| Ok(Arc::new(Aht::new(span)?)))
+    }
+
+    /// As [`Self::aht`], in the functions of AT.
+    ///
+    /// # Errors
+    /// As [`Self::aht`], for [`At::new`].
+    pub fn at(net: Net, spans: [f64; 2]) -> Result<Self, SurfaceError> {
+        Self::order_six(net, spans, |span| Ok(Arc::new(At::new(span)?)))
+    }
+
+    fn order_six(
+        net: Net,
+        spans: [f64; 2],
+        family: fn(f64) -> Result<Arc<dyn Basis>, BasisError>,
+    ) -> Result<Self, SurfaceError> {
+        let direction = |count: usize, span: f64| -> Result<Arc<dyn Basis>, BasisError> {
+            if count == 2 { Ok(Arc::new(Bernstein::new(1)?)) } else { family(span) }
+        };
+        let [u, v] = [direction(net.rows(), spans[0])?, direction(net.cols(), spans[1])?];
+        Self::new(vec![Product { u, v }], net)
     }
 
     /// The control net.

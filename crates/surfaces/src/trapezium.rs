@@ -76,8 +76,15 @@ impl TrapeziumHelicoid {
     /// # Errors
     /// [`SurfaceError::TooManyPieces`] beyond [`Pieces::MAX_PIECES`]; [`SurfaceError::NotFinite`] on overflow.
     pub fn pieces(&self) -> Result<Pieces, SurfaceError> {
+        self.cut(|start, end| self.piece(start, end))
+    }
+
+    fn cut(
+        &self,
+        piece: impl Fn(f64, f64) -> Result<TensorPatch, SurfaceError>,
+    ) -> Result<Pieces, SurfaceError> {
         let cuts = equal_cuts("v", (0.0, self.span), Self::LARGEST_WHOLE, Self::LARGEST_PIECE)?;
-        Pieces::new(vec![0.0, 1.0], cuts.clone(), |_, j| self.piece(cuts[j], cuts[j + 1]))
+        Pieces::new(vec![0.0, 1.0], cuts.clone(), |_, j| piece(cuts[j], cuts[j + 1]))
     }
 
     /// The largest distance between `patch` (with these parameters) and this surface on a grid of `subdivisions` steps in
@@ -96,9 +103,25 @@ impl TrapeziumHelicoid {
     /// # Errors
     /// As for [`Self::patch`].
     pub fn constructed_net(&self) -> Result<Net, SurfaceError> {
-        let basis = At::new(self.span)?;
+        self.construct(&At::new(self.span)?, 0.0, self.span)
+    }
+
+    /// As [`Self::pieces`], every net by the construction of [`Self::constructed_net`].
+    ///
+    /// # Errors
+    /// As for [`Self::pieces`].
+    pub fn constructed_pieces(&self) -> Result<Pieces, SurfaceError> {
+        self.cut(|start, end| {
+            let basis = At::new(end - start)?;
+            let net = self.construct(&basis, start, end)?;
+            on_net(basis, net)
+        })
+    }
+
+    /// The net over `start ≤ v ≤ end` by AT Theorems 1–3.
+    fn construct(&self, basis: &At, start: f64, end: f64) -> Result<Net, SurfaceError> {
         let [delta, m, epsilon] = basis.endpoint_rule();
-        let heights = basis.control_values([[0.0, 1.0, 0.0], [self.span, 1.0, 0.0]]);
+        let heights = basis.control_values([[start, 1.0, 0.0], [end, 1.0, 0.0]]);
         let mut points = Vec::with_capacity(12);
         for [gamma, beta] in self.sides {
             let tangents = |v: f64| {
@@ -110,11 +133,11 @@ impl TrapeziumHelicoid {
                 let p2 = -p + clockwise(-ruling) * (2.0 * beta);
                 (p, p1 - p, p2)
             };
-            let ((start, t1, t2), (end, s1, s2)) = (tangents(0.0), tangents(self.span));
+            let ((q0, t1, t2), (q5, s1, s2)) = (tangents(start), tangents(end));
             // Theorem 2. Q₁T³ is M − δ times the tangent.
-            let (q1, q4) = (start + t1 * delta, end - s1 * delta);
+            let (q1, q4) = (q0 + t1 * delta, q5 - s1 * delta);
             let (t3, s3) = (q1 + t1 * (m - delta), q4 - s1 * (m - delta));
-            let flat = [start, q1, t3 + t2 * epsilon, s3 + s2 * epsilon, q4, end];
+            let flat = [q0, q1, t3 + t2 * epsilon, s3 + s2 * epsilon, q4, q5];
             // Theorem 3.
             points.extend(flat.iter().zip(heights).map(|(q, z)| Point::new(q.x, q.y, z)));
         }
@@ -126,9 +149,14 @@ impl TrapeziumHelicoid {
         let rows = self
             .sides
             .map(|side| Curve::at_between(&basis, [start, end], |v| CurveJet::on_spiral(side, 1.0, v)));
-        let product = Product { u: Arc::new(Bernstein::new(1)?), v: Arc::new(basis) };
-        TensorPatch::new(vec![product], Net::new(2, 6, rows.concat())?)
+        on_net(basis, Net::new(2, 6, rows.concat())?)
     }
+}
+
+/// The patch of degree 1 ⊗ AT on a net of 2 × 6 points.
+fn on_net(basis: At, net: Net) -> Result<TensorPatch, SurfaceError> {
+    let product = Product { u: Arc::new(Bernstein::new(1)?), v: Arc::new(basis) };
+    TensorPatch::new(vec![product], net)
 }
 
 /// A vector of the plane turned by a right angle, clockwise.

@@ -84,6 +84,7 @@ proptest! {
         prop_assert_eq!(pieces.shape(), [1, count]);
         let reach = reach(&helicoid);
         prop_assert!(helicoid.deviation(&pieces, 31) <= 1e-12 * reach);
+        prop_assert!(helicoid.deviation(&helicoid.constructed_pieces().unwrap(), 31) <= 1e-12 * reach);
         for pair in pieces.patches().windows(2) {
             let (here, next) = (&pair[0], &pair[1]);
             let surfaces::Domain::Rectangle { v: (_, end), .. } = here.domain() else { unreachable!() };

@@ -176,8 +176,17 @@ fn foreign(bytes: &[u8], content: &[u8]) -> Option<(&'static str, &'static str)>
     let is_key =
         |line: &str, key: &str| line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='));
     let is_experiment = head.lines().map(str::trim).any(|line| {
-        ["[boundary]", "[[method]]", "[[curve]]", "[curve]", "[helicoid]", "[trapezium-helicoid]", "[search]"]
-            .contains(&line)
+        [
+            "[boundary]",
+            "[[method]]",
+            "[[curve]]",
+            "[curve]",
+            "[helicoid]",
+            "[trapezium-helicoid]",
+            "[net]",
+            "[search]",
+        ]
+        .contains(&line)
             || is_key(line, "title")
     });
     is_experiment.then_some((

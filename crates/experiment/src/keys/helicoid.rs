@@ -11,7 +11,7 @@ const LARGEST_WEIGHT: f64 = 1e30;
 pub(crate) const SMALLEST_WEIGHT: f64 = 1e-30;
 
 /// Shortest interval: on a shorter one the surface drowns in the rounding of its coordinates, its derivatives first.
-const SHORTEST: f64 = 1e-6;
+pub(crate) const SHORTEST: f64 = 1e-6;
 
 /// Longest intervals: cosh u stays far below overflow, the number of patches within thousands.
 const LONGEST: [f64; 2] = [100.0, 1000.0];
@@ -67,8 +67,10 @@ pub(crate) static SECTION: Section = Section {
 
 /// `[trapezium-helicoid]`.
 pub(crate) mod trapezium {
+    use plateau::Construction;
+
     use super::{LONGEST, SHORTEST, WEIGHT};
-    use crate::text::{Interval, Key, Reals, Section, Ways};
+    use crate::text::{Interval, Key, Name, Reals, Section, Ways};
 
     const SIDES: &str = "w runs from γ0 + β0 v to γ1 + β1 v: give gamma = [γ0, γ1] and beta = [β0, β1]";
 
@@ -86,11 +88,18 @@ pub(crate) mod trapezium {
         Key::new("beta", Reals::exactly(2, WEIGHT), "the slopes of the two sides: [β0, β1]")
             .required()
             .hint(SIDES);
+    pub(crate) static CONSTRUCTION: Key<Name<Construction>> = Key::new(
+        "construction",
+        Name(&[("endpoint-rule", Construction::EndpointRule), ("geometric", Construction::Geometric)]),
+        "where the control points come from: the derivatives at the ends, or right angles and lengths in the plane (AT Theorems 1–3); \
+         the two agree to rounding",
+    )
+    .or("\"endpoint-rule\"");
 
     pub(crate) static SECTION: Section = Section {
         doc: "the helicoid (w cos v, w sin v, v) over the trapezium 0 ≤ v ≤ span, γ0 + β0 v ≤ w ≤ γ1 + β1 v, exact in the AT \
               basis",
-        keys: &[&SPAN, &GAMMA, &BETA],
+        keys: &[&SPAN, &GAMMA, &BETA, &CONSTRUCTION],
         ways: Ways::Free,
     };
 }

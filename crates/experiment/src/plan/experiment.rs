@@ -13,17 +13,18 @@ use super::helicoid::{helicoid, trapezium};
 use super::loops::{loops, polygon, sides};
 use super::memory::fits;
 use super::method::{Named, methods as net_methods, named};
+use super::net::net;
 use super::search::search;
 use super::{Experiment, FilmExperiment, Output, PatchExperiment, Plan, Rim, Wanted};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::boundary::{LOOPS, POLYGON, SIDES};
 use crate::keys::output::{FORMATS, MESH, PICTURES, STEP_TOLERANCE};
 use crate::keys::{
-    BOUNDARY, CURVE, EXPECT, FACE, HELICOID, METHOD, OUTPUT, SEARCH, SEED, TITLE, TRAPEZIUM, VERTEX,
+    BOUNDARY, CURVE, EXPECT, FACE, HELICOID, METHOD, NET, OUTPUT, SEARCH, SEED, TITLE, TRAPEZIUM, VERTEX,
 };
 use crate::text::{Given, Table, Tables};
 
-const KINDS: &str = "an experiment holds one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [curve]";
+const KINDS: &str = "an experiment holds one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [net], [curve]";
 
 /// The plan that a file describes; its faults are reported.
 pub(super) fn plan(root: &Table<'_>, file: &str) -> Option<Plan> {
@@ -82,7 +83,8 @@ struct Parts<'t> {
 }
 
 fn experiment(root: &Table<'_>) -> Option<(Experiment, Vec<Wanted>)> {
-    let [helicoid_table, trapezium_table] = [&HELICOID, &TRAPEZIUM].map(|key| root.inner(key));
+    let [helicoid_table, trapezium_table, net_table] =
+        [&HELICOID, &TRAPEZIUM, &NET].map(|key| root.inner(key));
     let (curve_table, curves) = match root.one_or_several(&CURVE) {
         Given::Absent => (Given::Absent, Given::Absent),
         Given::Faulty => (Given::Faulty, Given::Faulty),
@@ -115,10 +117,14 @@ fn experiment(root: &Table<'_>) -> Option<(Experiment, Vec<Wanted>)> {
         let found = trapezium(table.get_ref(), expect);
         return found.map(|(it, wanted)| (Experiment::TrapeziumHelicoid(it), vec![wanted]));
     }
+    if let Given::Sound(table) = net_table {
+        return net(table.get_ref(), expect).map(|(it, wanted)| (Experiment::Net(it), vec![wanted]));
+    }
     if let Given::Sound(table) = curve_table {
         return curve(table.get_ref(), expect).map(|(it, wanted)| (Experiment::Curve(it), vec![wanted]));
     }
-    if helicoid_table.is_faulty() || trapezium_table.is_faulty() || curve_table.is_faulty() {
+    let alone = [&helicoid_table, &trapezium_table, &net_table, &curve_table];
+    if alone.into_iter().any(Given::is_faulty) {
         return None;
     }
     filled(root, Parts { expect, ..parts })
@@ -128,8 +134,12 @@ fn experiment(root: &Table<'_>) -> Option<(Experiment, Vec<Wanted>)> {
 fn has_one_subject(root: &Table<'_>, parts: &Parts<'_>) -> bool {
     let rim = root.place(&["boundary"]).map(|span| ("[boundary]", span));
     let rim = rim.or(root.place(&["face"]).map(|span| ("[[face]]", span)));
-    let alone =
-        [("[helicoid]", "helicoid"), ("[trapezium-helicoid]", "trapezium-helicoid"), ("[curve]", "curve")];
+    let alone = [
+        ("[helicoid]", "helicoid"),
+        ("[trapezium-helicoid]", "trapezium-helicoid"),
+        ("[net]", "net"),
+        ("[curve]", "curve"),
+    ];
     let alone =
         alone.into_iter().filter(|(_, key)| *key != "curve" || !matches!(parts.curves, Given::Sound(_)));
     let alone = alone.filter_map(|(header, key)| Some((header, root.place(&[key])?)));

@@ -5,7 +5,7 @@ use serde_spanned::Spanned;
 
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
-use crate::keys::helicoid::trapezium::{BETA, GAMMA, SPAN};
+use crate::keys::helicoid::trapezium::{BETA, CONSTRUCTION, GAMMA, SPAN};
 use crate::keys::helicoid::{A, B, FRAMES, PATH, PATH_DEGREE, Path, SMALLEST_WEIGHT, U_SPAN, V_SPAN};
 use crate::text::{Given, Table, shown};
 
@@ -103,6 +103,7 @@ fn with_degree(table: &Table<'_>, path: Path, degree: &Given<u32>) -> Option<Def
 pub(super) fn trapezium(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(TrapeziumHelicoid, Wanted)> {
     let span = table.require(&SPAN);
     let (gamma, beta) = (table.require(&GAMMA), table.require(&BETA));
+    let construction = table.take_or_default(&CONSTRUCTION);
     let wanted = wanted(expect, Some(Subject::Helicoid));
     let (span, gamma, beta) = (span?.into_inner(), gamma?, beta?);
     let places = (beta.span(), gamma.span());
@@ -126,7 +127,7 @@ pub(super) fn trapezium(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(
         );
         return None;
     }
-    Some((TrapeziumHelicoid { span, gamma, beta }, wanted?))
+    Some((TrapeziumHelicoid { span, gamma, beta, construction: construction? }, wanted?))
 }
 
 fn pair(numbers: &Spanned<Vec<Spanned<f64>>>) -> Option<[f64; 2]> {

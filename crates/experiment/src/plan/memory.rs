@@ -27,7 +27,7 @@ pub(super) fn fits(root: &Table<'_>, experiment: &Experiment, mesh: usize) {
             histories_fit(root, experiment);
         }
         Experiment::Film(film) => meshes_fit(root, film.methods.len(), mesh),
-        Experiment::TrapeziumHelicoid(_) | Experiment::Curve(_) => {}
+        Experiment::TrapeziumHelicoid(_) | Experiment::Net(_) | Experiment::Curve(_) => {}
     }
 }
 

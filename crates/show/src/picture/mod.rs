@@ -1,6 +1,7 @@
 //! Pictures of an experiment as SVG, one kind a file. All are light, small, and need nothing but themselves.
 
 mod axis;
+mod basis;
 pub(crate) mod colour_bar;
 mod convergence;
 mod curvature;
@@ -11,6 +12,7 @@ mod panels;
 mod svg;
 mod view;
 
+pub use basis::basis_functions;
 pub use drawing::{PICTURES, Picture};
 pub(crate) use svg::Escaped;
 

@@ -15,6 +15,7 @@ pub(crate) enum Subject {
     Patch { patch: Patch, shape: Shape },
     Film,
     Helicoid,
+    Net,
     Curve { samples: usize },
 }
 
@@ -33,6 +34,9 @@ impl Subject {
                 Q::Shape(_) | Q::SearchMinimum | Q::BoundaryDeviation | Q::HarmonicBound | Q::Residual,
             ) => Some(
                 "a helicoid has neither boundary curves nor shape parameters to compare, only `deviation`: take the key out",
+            ),
+            (Self::Net, Q::Shape(_) | Q::SearchMinimum | Q::Residual | Q::Deviation) => Some(
+                "of a net that is given nothing is solved or searched, and no closed form is known: take the key out",
             ),
             (
                 Self::Film,

@@ -1,0 +1,126 @@
+//! Surfaces on a net of which every control point is given.
+
+use surfaces::{Net, Point, TensorPatch, anchor};
+
+use crate::{
+    BoundaryFigures, Done, Family, Figures, MethodError, MethodResult, Search, Solved, Surface, memory, trust,
+};
+
+/// A net of control points, all of them given, and the functions in which it is read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OwnNet {
+    /// The control points `P_ij`, i with u, j with v.
+    pub points: Net,
+    /// The functions; they have as many in each direction as the net has points.
+    pub basis: NetBasis,
+}
+
+/// The functions of a net, with the parameters they have.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NetBasis {
+    /// Bernstein polynomials on [0, 1].
+    Bernstein,
+    /// GT functions on [0, 1] (GT).
+    Gt {
+        /// Shape parameters (α1, α2, β1, β2), each in [0, 4], neither pair both zero.
+        shape: [f64; 4],
+    },
+    /// Algebraic–hyperbolic–trigonometric functions of order 6 (AHT); a direction of two points is linear.
+    Aht(OrderSix),
+    /// Algebraic–trigonometric functions of order 6 (AT); a direction of two points is linear.
+    At(OrderSix),
+}
+
+/// What a net in functions of order 6 lives on, and where it is cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrderSix {
+    /// Lengths of the intervals of u and v, which begin at 0; of no meaning in a direction of two points.
+    pub spans: [f64; 2],
+    /// Parameters of u and of v at which the surface is subdivided, ascending inside the intervals; each part has a net of its own.
+    pub cuts: [Vec<f64>; 2],
+}
+
+/// The surface of a net, with its figures. It is computed relative to a point near it, and moved back.
+pub fn of_net(own: &OwnNet, mesh: usize) -> MethodResult {
+    MethodResult { name: "net".into(), outcome: measured(own, mesh).map(Box::new) }
+}
+
+fn measured(own: &OwnNet, subdivisions: usize) -> Result<Done, MethodError> {
+    memory::holds(memory::of_mesh(subdivisions))?;
+    let origin = anchor(own.points.points());
+    let (near, family, shape) = surface(own, origin)?;
+    let mut mesh = near.mesh(subdivisions)?;
+    let patches: Vec<&dyn surfaces::Patch> = near.patch().into_iter().collect();
+    let figures = Figures::of_moved(&patches, &mesh, origin.norm())?;
+    let boundary = match &near {
+        Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
+        Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
+    };
+    mesh.points.iter_mut().for_each(|p| *p += origin);
+    let (surface, ..) = surface(own, Point::ZERO)?;
+    let solved = Solved { surface, family, minimised: None, shape, solve: None, area: None, search: None };
+    let warnings = trust::warnings(&solved, &figures, &Search::default());
+    Ok(Done {
+        solved,
+        mesh,
+        figures,
+        boundary,
+        closed_form: None,
+        film: None,
+        estimate: None,
+        bound: None,
+        warnings,
+    })
+}
+
+/// The surface as it lies `origin` away from where it was given.
+fn surface(own: &OwnNet, origin: Point) -> Result<(Surface, Family, Option<[f64; 4]>), MethodError> {
+    let points = own.points.points().iter().map(|&p| p - origin).collect();
+    let net = Net::new(own.points.rows(), own.points.cols(), points)?;
+    let pieces = |patch: TensorPatch, cuts: &[Vec<f64>; 2]| -> Result<Surface, MethodError> {
+        Ok(Surface::Pieces(patch.cut([&cuts[0], &cuts[1]])?))
+    };
+    Ok(match &own.basis {
+        NetBasis::Bernstein => (Surface::Tensor(TensorPatch::bernstein(net)?), Family::Bernstein, None),
+        NetBasis::Gt { shape } => (Surface::Tensor(TensorPatch::gt(net, *shape)?), Family::Gt, Some(*shape)),
+        NetBasis::Aht(OrderSix { spans, cuts }) => {
+            (pieces(TensorPatch::aht(net, *spans)?, cuts)?, Family::Aht, None)
+        }
+        NetBasis::At(OrderSix { spans, cuts }) => {
+            (pieces(TensorPatch::at(net, *spans)?, cuts)?, Family::At, None)
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn net_of(patch: &TensorPatch, cuts: [Vec<f64>; 2], spans: [f64; 2]) -> OwnNet {
+        OwnNet { points: patch.net().clone(), basis: NetBasis::Aht(OrderSix { spans, cuts }) }
+    }
+
+    #[test]
+    fn the_net_of_a_helicoid_is_the_helicoid_however_it_is_cut_and_wherever_it_lies() {
+        let helicoid = surfaces::Helicoid::new(1.0, 2.0, 1.5, 6.0).unwrap();
+        let patch = helicoid.patch().unwrap();
+        let whole = of_net(&net_of(&patch, [vec![], vec![]], [1.5, 6.0]), 24).outcome.unwrap();
+        for (cuts, pieces) in [([vec![], vec![]], 1), ([vec![0.5], vec![1.0, 4.5]], 6)] {
+            let done = of_net(&net_of(&patch, cuts, [1.5, 6.0]), 24).outcome.unwrap();
+            let Surface::Pieces(found) = &done.solved.surface else { panic!() };
+            assert_eq!(found.patches().len(), pieces);
+            assert!(helicoid.deviation(found, 24) < 1e-13);
+            assert!((done.figures.area.value / whole.figures.area.value - 1.0).abs() < 1e-13);
+            assert!(done.figures.mean_curvature_max.unwrap() < 1e-13);
+        }
+        let away = Point::new(1e9, -3e9, 0.0);
+        let points = patch.net().points().iter().map(|&p| p + away).collect();
+        let own = OwnNet {
+            points: Net::new(6, 6, points).unwrap(),
+            ..net_of(&patch, [vec![], vec![]], [1.5, 6.0])
+        };
+        let far = of_net(&own, 24).outcome.unwrap();
+        // Its points are rounded to 2⁻²² there.
+        assert!((far.figures.area.value / whole.figures.area.value - 1.0).abs() < 1e-6);
+    }
+}
