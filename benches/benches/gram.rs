@@ -4,8 +4,9 @@ use std::hint::black_box;
 
 use bases::{Gt, Samples};
 use criterion::BenchmarkId;
-use energy::{Functional, ShapeForm, ShapedPatch};
+use energy::{Functional, ShapeForm};
 use plateau_benches::FixtureError;
+use surfaces::ShapedFamily;
 
 fn main() -> Result<(), FixtureError> {
     let mut criterion = plateau_benches::criterion();
@@ -21,7 +22,7 @@ fn main() -> Result<(), FixtureError> {
     }
     for degree in [3, 8] {
         for (name, patch) in
-            [("shape_form_gt", ShapedPatch::Gt), ("shape_form_tb_coons", ShapedPatch::TbCoons)]
+            [("shape_form_gt", ShapedFamily::Gt), ("shape_form_tb_coons", ShapedFamily::TbCoons)]
         {
             group.bench_function(BenchmarkId::new(name, degree), |bencher| {
                 bencher.iter(|| ShapeForm::of(Functional::Dirichlet, patch, black_box((degree, degree))));

@@ -1,6 +1,6 @@
-use energy::{Functional, ShapedPatch};
+use energy::Functional;
 use plateau::ReducedEnergy;
-use surfaces::Net;
+use surfaces::{Net, ShapedFamily};
 
 use crate::FixtureError;
 
@@ -9,7 +9,7 @@ use crate::FixtureError;
 /// # Errors
 /// Those of [`ReducedEnergy::new`]: degrees below 2 or too large.
 pub fn gt_dirichlet(net: &Net) -> Result<ReducedEnergy, FixtureError> {
-    Ok(ReducedEnergy::new(Functional::Dirichlet, ShapedPatch::Gt, net)?)
+    Ok(ReducedEnergy::new(Functional::Dirichlet, ShapedFamily::Gt, net)?)
 }
 
 /// Indices 1 … degree − 1 of the functions that vanish at both ends.

@@ -1,12 +1,12 @@
 //! The gradient that comes with a solve is the derivative of the reduced energy: for both solvers, and for every form
 //! that the energies hand to them. Errors are relative to J, whose rounding is what limits a difference.
 
-use energy::{Functional, ShapedPatch};
+use energy::Functional;
 use plateau::ReducedEnergy;
 use plateau_benches::{gt_dirichlet, separable_parametric};
 use proptest::prelude::*;
 use solve::Path;
-use surfaces::{Net, Point};
+use surfaces::{Net, Point, ShapedFamily};
 
 /// A boundary over [0, m] × [0, n] whose points are moved by `noise`, one number a coordinate, used in turn.
 fn net(m: usize, n: usize, noise: &[f64]) -> Net {
@@ -48,7 +48,7 @@ proptest! {
         functional in prop::sample::select(vec![
             Functional::Dirichlet, Functional::Laplacian, Functional::Bending, Functional::Coons,
         ]),
-        patch in prop::sample::select(vec![ShapedPatch::Gt, ShapedPatch::TbCoons]),
+        patch in prop::sample::select(vec![ShapedFamily::Gt, ShapedFamily::TbCoons]),
     ) {
         let net = net(m, n, &noise);
         let parametric = ReducedEnergy::new(functional, patch, &net).unwrap().system().clone();

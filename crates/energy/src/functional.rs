@@ -1,4 +1,6 @@
-use crate::{bending, coons, dirichlet, laplacian};
+//! The quadratic energies of a patch: one table of them.
+
+use surfaces::Jet;
 
 /// One term `coefficient · ∂_u^{u.0} ∂_v^{v.0} S · ∂_u^{u.1} ∂_v^{v.1} S` of an energy density.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,27 +14,66 @@ pub struct DensityTerm {
 }
 
 /// The quadratic energies of a patch; each integrates a sum of products of two partial derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Functional {
-    /// `½ ∫ ‖S_u‖² + ‖S_v‖²`, length².
+    /// `½ ∫ ‖S_u‖² + ‖S_v‖²`, length² (GT (3.3)): never below the area, and equal to it exactly for conformal charts.
     Dirichlet,
-    /// `∫ ‖S_uu + S_vv‖²`, the Laplacian defect.
+    /// `∫ ‖S_uu + S_vv‖²`, the Laplacian defect (GT (6.4)): zero exactly for harmonic charts; its extremal is the quasi-harmonic patch.
     Laplacian,
-    /// `∫ ‖S_uu‖² + 2‖S_uv‖² + ‖S_vv‖²`, the bending energy of a linear plate.
+    /// `∫ ‖S_uu‖² + 2‖S_uv‖² + ‖S_vv‖²`, the bending energy of a linear plate: the bending-energy method of GT Table 1.
     Bending,
-    /// `∫ ‖S_uv‖²`, whose extremals are the Coons patches.
+    /// `∫ ‖S_uv‖²`, the Coons functional (COONS (1), (4)): its extremals among all charts are the bilinearly blended Coons patches.
     Coons,
 }
 
+const fn term(coefficient: f64, u: (usize, usize), v: (usize, usize)) -> DensityTerm {
+    DensityTerm { coefficient, u, v }
+}
+
 impl Functional {
-    /// The terms of the density.
-    pub fn terms(self) -> &'static [DensityTerm] {
+    /// Every one of them.
+    pub const ALL: [Self; 4] = [Self::Dirichlet, Self::Laplacian, Self::Bending, Self::Coons];
+
+    /// Its word.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
         match self {
-            Self::Dirichlet => &dirichlet::TERMS,
-            Self::Laplacian => &laplacian::TERMS,
-            Self::Bending => &bending::TERMS,
-            Self::Coons => &coons::TERMS,
+            Self::Dirichlet => "dirichlet",
+            Self::Laplacian => "laplacian",
+            Self::Bending => "bending",
+            Self::Coons => "coons",
         }
+    }
+
+    /// The terms of the density.
+    #[must_use]
+    pub const fn terms(self) -> &'static [DensityTerm] {
+        const DIRICHLET: [DensityTerm; 2] = [term(0.5, (1, 1), (0, 0)), term(0.5, (0, 0), (1, 1))];
+        const LAPLACIAN: [DensityTerm; 4] = [
+            term(1.0, (2, 2), (0, 0)),
+            term(1.0, (0, 0), (2, 2)),
+            term(1.0, (2, 0), (0, 2)),
+            term(1.0, (0, 2), (2, 0)),
+        ];
+        const BENDING: [DensityTerm; 3] =
+            [term(1.0, (2, 2), (0, 0)), term(1.0, (0, 0), (2, 2)), term(2.0, (1, 1), (1, 1))];
+        const COONS: [DensityTerm; 1] = [term(1.0, (1, 1), (1, 1))];
+        match self {
+            Self::Dirichlet => &DIRICHLET,
+            Self::Laplacian => &LAPLACIAN,
+            Self::Bending => &BENDING,
+            Self::Coons => &COONS,
+        }
+    }
+
+    /// The density at a point of a patch.
+    #[must_use]
+    pub fn density(self, jet: &Jet) -> f64 {
+        let term = |term: &DensityTerm| {
+            let (s, t) = (jet.derivative(term.u.0, term.v.0), jet.derivative(term.u.1, term.v.1));
+            term.coefficient * s.dot(t)
+        };
+        self.terms().iter().map(term).sum()
     }
 
     /// The highest order of derivative in one variable that the density holds.

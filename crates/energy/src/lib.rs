@@ -2,7 +2,7 @@
 //!
 //! Two kinds. A quadratic [`Functional`] (Dirichlet, Laplacian defect, bending, Coons) of a tensor patch is a
 //! [`QuadraticForm`] of its control net: a short sum of Kronecker products of one-dimensional Gram matrices, with value,
-//! gradient and matrix; [`ShapeForm`] holds it for all GT shapes at once. That of a triangular patch, and the metric
+//! gradient and matrix; [`ShapeForm`] holds it for all shapes of a family at once. That of a triangular patch, and the metric
 //! Dirichlet energy of either ([`MetricForm`]), is a [`DenseForm`]. The area is not quadratic: [`area()`] integrates it
 //! until it has settled and says how far to trust it, [`area_with_gradient`] and [`triangle_area_with_gradient`]
 //! differentiate it, [`AreaExpansion`] twice.
@@ -27,19 +27,15 @@ mod area;
 mod area_hessian;
 mod area_product;
 mod area_sampled;
-mod bending;
 mod bernstein_form;
 mod calibration;
 mod calibration_proof;
 mod cell;
 mod cell_product;
 mod cell_sampled;
-mod coons;
 mod dense;
-mod dirichlet;
 mod error;
 mod functional;
-mod laplacian;
 mod normal_variation;
 mod product;
 mod quadratic;
@@ -65,7 +61,7 @@ pub use functional::{DensityTerm, Functional};
 pub use normal_variation::NormalVariation;
 pub use quadratic::{KroneckerTerm, QuadraticForm};
 pub use reference::ReferenceTriangle;
-pub use shape::{GramPolynomial, ShapeForm, ShapeTerm, ShapedPatch};
+pub use shape::{GramPolynomial, ShapeForm, ShapeTerm};
 pub use tangent::TangentSamples;
 pub use triangle_area::triangle_area_with_gradient;
 pub use weighted::{METRIC_TOLERANCE, MetricForm};

@@ -1,12 +1,10 @@
-//! Quadratic energies of GT and TB–Coons patches as polynomials of the shape parameters.
+//! Quadratic energies of patches with shape parameters as polynomials of them.
 //!
-//! GT functions are affine in their two parameters, so every Gram integral is a quadratic polynomial in them with six
+//! The functions are affine in two coordinates of the shape in each direction ([`ShapedFamily::coordinates`]), so every Gram integral is a quadratic polynomial in them with six
 //! constant matrices: assembled once, each shape then costs a few multiply-adds and no quadrature.
 
-use std::sync::Arc;
-
-use bases::{Basis, BasisError, GtParts, Matrix, Samples, Stacked};
-use surfaces::{bernstein_less_blend, end_blend};
+use bases::{Matrix, Samples};
+use surfaces::{ShapeFactor, ShapedFamily};
 
 use crate::{EnergyError, Functional};
 
@@ -37,34 +35,6 @@ pub struct ShapeForm {
     pub right: Vec<GramPolynomial>,
     /// Which products Q is the sum of.
     pub terms: Vec<ShapeTerm>,
-}
-
-/// Which patch a [`ShapeForm`] is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ShapedPatch {
-    /// The GT–Bézier tensor product patch.
-    Gt,
-    /// The TB–Coons blend.
-    TbCoons,
-}
-
-/// A family affine in θ: 3N functions, the constant parts, the θ1 parts and the θ2 parts of N functions.
-fn affine_families(patch: ShapedPatch, degree: usize, v: bool) -> Result<Vec<Arc<dyn Basis>>, EnergyError> {
-    let gt: Arc<dyn Basis> = Arc::new(GtParts::new(degree)?);
-    if patch == ShapedPatch::Gt {
-        return Ok(vec![gt]);
-    }
-    let less = constant(Arc::new(bernstein_less_blend(degree)?))?;
-    let blend = constant(Arc::new(end_blend(degree)?))?;
-    // The three products of TB–Coons: (B − ℓ) G, G (B − ℓ), ℓ ℓ.
-    Ok(if v { vec![gt, less, blend] } else { vec![less, gt, blend] })
-}
-
-/// A family that does not depend on θ, in the affine layout.
-fn constant(basis: Arc<dyn Basis>) -> Result<Arc<dyn Basis>, BasisError> {
-    let n = basis.count();
-    let map = Matrix::from_fn(3 * n, n, |i, j| f64::from(u8::from(i == j)));
-    Ok(Arc::new(Stacked::new(vec![basis], map)?))
 }
 
 impl GramPolynomial {
@@ -102,24 +72,22 @@ impl GramPolynomial {
 }
 
 impl ShapeForm {
-    /// The form of `functional` for patches of bidegree `(m, n)`.
+    /// The form of `functional` for patches of a family and of bidegree `(m, n)`.
     ///
     /// # Errors
-    /// [`EnergyError::Basis`] for degrees below 2, or too large.
+    /// [`EnergyError::Surface`] for degrees that the family does not have, [`EnergyError::Basis`] for those too large.
     pub fn of(
         functional: Functional,
-        patch: ShapedPatch,
+        family: ShapedFamily,
         (m, n): (usize, usize),
     ) -> Result<Self, EnergyError> {
         let order = functional.order();
-        let sample = |families: Vec<Arc<dyn Basis>>, degree: usize| {
-            families
-                .iter()
-                .map(|family| Samples::new(family.as_ref(), Samples::points_for(degree + 1), order))
-                .collect::<Result<Vec<_>, _>>()
+        let sample = |factor: &ShapeFactor, degree: usize| -> Result<Samples, EnergyError> {
+            Ok(Samples::new(factor.affine()?.as_ref(), Samples::points_for(degree + 1), order)?)
         };
-        let u = sample(affine_families(patch, m, false)?, m)?;
-        let v = sample(affine_families(patch, n, true)?, n)?;
+        let factors = family.factors((m, n))?;
+        let u = factors.iter().map(|[u, _]| sample(u, m)).collect::<Result<Vec<_>, _>>()?;
+        let v = factors.iter().map(|[_, v]| sample(v, n)).collect::<Result<Vec<_>, _>>()?;
         let (mut left, mut right) = (Factors::new(&u), Factors::new(&v));
         let mut terms = Vec::new();
         for s in 0..u.len() {

@@ -1,9 +1,9 @@
 //! Laws of the quadratic energies.
 
 use bases::{Basis, Gt, Matrix, Samples};
-use energy::{Functional, QuadraticForm, ShapeForm, ShapedPatch, area, integrate};
+use energy::{Functional, QuadraticForm, ShapeForm, area, integrate};
 use proptest::prelude::*;
-use surfaces::{Jet, Net, Point, TensorPatch, tb_coons};
+use surfaces::{Jet, Net, Point, ShapedFamily, TensorPatch, tb_coons};
 
 const ALL: [Functional; 4] =
     [Functional::Dirichlet, Functional::Laplacian, Functional::Bending, Functional::Coons];
@@ -78,9 +78,9 @@ proptest! {
     #[test]
     fn one_polynomial_holds_every_shape(net in net(), shape in shape(), f in prop::sample::select(ALL.to_vec()), blend in any::<bool>()) {
         let (kind, patch) = if blend {
-            (ShapedPatch::TbCoons, tb_coons(net.clone(), shape).unwrap())
+            (ShapedFamily::TbCoons, tb_coons(net.clone(), shape).unwrap())
         } else {
-            (ShapedPatch::Gt, TensorPatch::gt(net.clone(), shape).unwrap())
+            (ShapedFamily::Gt, TensorPatch::gt(net.clone(), shape).unwrap())
         };
         let (whole, form) = (ShapeForm::of(f, kind, net.degrees()).unwrap(), QuadraticForm::of(f, &patch).unwrap());
         let (a, b) = ([shape[0], shape[1]], [shape[2], shape[3]]);

@@ -8,6 +8,7 @@ mod arrangement;
 mod boundary;
 mod curve;
 mod curves;
+mod draft;
 mod expected;
 mod experiment;
 mod faces;

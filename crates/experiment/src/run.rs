@@ -94,9 +94,9 @@ pub fn run_kept(
 fn patches(experiment: &PatchExperiment, context: &Context<'_>) -> Vec<MethodResult> {
     // Least areas last, the lower degrees first: none of them ends above what the others found.
     let methods = &experiment.methods;
-    let is_area = |k: usize| methods[k].extremal_energy() == Some(Energy::Area);
+    let is_area = |k: usize| methods[k].minimised() == Some(Energy::Area);
     let mut order: Vec<usize> = (0..methods.len()).collect();
-    order.sort_by_key(|&k| (is_area(k), if is_area(k) { methods[k].raise } else { 0 }));
+    order.sort_by_key(|&k| (is_area(k), if is_area(k) { methods[k].raise() } else { 0 }));
     let mut results: Vec<Option<MethodResult>> = methods.iter().map(|_| None).collect();
     for index in order {
         let at_hand: Vec<&Solved> =
@@ -104,7 +104,7 @@ fn patches(experiment: &PatchExperiment, context: &Context<'_>) -> Vec<MethodRes
         let mut context = *context;
         (context.index, context.at_hand) = (index, &at_hand);
         let outcome = solve(&experiment.boundary, &methods[index], &context).map(Box::new);
-        results[index] = Some(MethodResult { name: methods[index].name.clone(), outcome });
+        results[index] = Some(MethodResult { name: methods[index].name().to_owned(), outcome });
     }
     results.into_iter().flatten().collect()
 }

@@ -3,9 +3,26 @@
 use exchange::{DEFAULT_TOLERANCE, Format};
 use experiment::{Experiment, FilmExperiment, Options, Output, PatchExperiment, Plan, Rim, Template, run};
 use plateau::{
-    Basis, Boundary, CurveBasis, Deformation, DeformationPath, Direction, Done, Energy, FillEnergy, Interior,
-    Loop, Mask, Method, Patch, Quantity, Search, SearchMode, Shape, SolverChoice, Variant,
+    Boundary, CurveBasis, Deformation, DeformationPath, Direction, Done, Energy, Family, FillEnergy, Filling,
+    FixedShape, Functional, Functions, Loop, Method, Quantity, Search, SearchMode, ShapedFamily,
+    SolverChoice, TensorInterior, TriangleInterior, TriangleMask, Variant,
 };
+
+/// The functions and the interior of a method over four sides.
+fn tensor(method: &Method) -> (&Functions, TensorInterior) {
+    match method.filling() {
+        Filling::Tensor { functions, interior } => (functions, *interior),
+        Filling::Triangle(interior) => panic!("{interior:?}"),
+    }
+}
+
+fn gt(mode: SearchMode, energy: Energy) -> Functions {
+    Functions::Searched { family: ShapedFamily::Gt, mode, energy }
+}
+
+fn extremal(energy: Functional) -> TensorInterior {
+    TensorInterior::Extremal { energy, solver: SolverChoice::Auto }
+}
 
 fn plan(text: &str) -> Plan {
     Plan::parse("some/folder/net.one.toml", text).unwrap_or_else(|refusal| panic!("{refusal}"))
@@ -78,12 +95,11 @@ fn the_tensor_example() {
     assert_eq!(boundary.welded(), 0.0);
     assert_eq!(patches.boundary.degrees(), (3, 3));
     assert_eq!(patches.search, Search::default());
-    let dirichlet = Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 0 };
-    let [gt, bernstein] = patches.methods.as_slice() else { panic!("{:?}", patches.methods) };
-    assert_eq!((gt.name.as_str(), gt.patch, gt.basis), ("GT Dirichlet + PSO", Patch::Tensor, Basis::Gt));
-    assert_eq!((gt.shape, gt.interior), (Shape::Search(SearchMode::PsoPolish), dirichlet));
-    assert_eq!((gt.search_energy, gt.raise, gt.solver), (Energy::Dirichlet, 0, SolverChoice::Auto));
-    assert_eq!((bernstein.basis, bernstein.shape), (Basis::Bernstein, Shape::None));
+    let [searched, bernstein] = patches.methods.as_slice() else { panic!("{:?}", patches.methods) };
+    assert_eq!((searched.name(), searched.raise()), ("GT Dirichlet + PSO", 0));
+    let functions = gt(SearchMode::PsoPolish, Energy::DIRICHLET);
+    assert_eq!(tensor(searched), (&functions, extremal(Functional::Dirichlet)));
+    assert_eq!(tensor(bernstein), (&Functions::Bernstein, extremal(Functional::Dirichlet)));
     assert!(
         plan.wanted.len() == 2 && plan.wanted.iter().all(|w| w.expect.is_empty() && w.published.is_empty())
     );
@@ -104,44 +120,45 @@ fn degrees_follow_the_lengths_of_rows_and_columns() {
 
 #[test]
 fn every_way_to_say_search_and_shape() {
-    for (line, shape) in [
-        ("search = true", Shape::Search(SearchMode::PsoPolish)),
-        ("search = \"pso\"", Shape::Search(SearchMode::Pso)),
-        ("search = \"polish\"", Shape::Search(SearchMode::Polish)),
-        ("search = \"pso-polish\"", Shape::Search(SearchMode::PsoPolish)),
-        ("shape = [1, 2.5, 0, 4]", Shape::Fixed([1.0, 2.5, 0.0, 4.0])),
-        ("search = false\nshape = [1, 1, 1, 1]", Shape::Fixed([1.0; 4])),
+    let fixed =
+        |shape: [f64; 4]| Functions::Shaped(FixedShape::new(ShapedFamily::Gt, shape.to_vec()).unwrap());
+    for (line, functions) in [
+        ("search = true", gt(SearchMode::PsoPolish, Energy::DIRICHLET)),
+        ("search = \"pso\"", gt(SearchMode::Pso, Energy::DIRICHLET)),
+        ("search = \"polish\"", gt(SearchMode::Polish, Energy::DIRICHLET)),
+        ("search = \"pso-polish\"", gt(SearchMode::PsoPolish, Energy::DIRICHLET)),
+        ("shape = [1, 2.5, 0, 4]", fixed([1.0, 2.5, 0.0, 4.0])),
+        ("search = false\nshape = [1, 1, 1, 1]", fixed([1.0; 4])),
     ] {
         let text = format!("[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\n{line}\n");
-        assert_eq!(methods(&text)[0].shape, shape, "{line}");
+        assert_eq!(tensor(&methods(&text)[0]).0, &functions, "{line}");
     }
     // A swarm would find fifty thousand least areas.
     let text = "[[method]]\nname = \"a\"\nbasis = \"gt\"\nenergy = \"area\"\nsearch = true\n";
-    assert_eq!(methods(text)[0].shape, Shape::Search(SearchMode::Polish));
+    assert_eq!(tensor(&methods(text)[0]).0, &gt(SearchMode::Polish, Energy::Area));
     let text = "[[method]]\nname = \"a\"\nenergy = \"area\"\nsearch = false\n";
-    assert_eq!(methods(text)[0].shape, Shape::None);
+    assert_eq!(tensor(&methods(text)[0]).0, &Functions::Bernstein);
 }
 
 #[test]
 fn every_interior() {
-    let extremal = |energy| Interior::Extremal { energy, metric_steps: 0 };
     for (line, interior) in [
-        ("energy = \"dirichlet\"", extremal(Energy::Dirichlet)),
-        ("energy = \"laplacian\"", extremal(Energy::Laplacian)),
-        ("energy = \"bending\"", extremal(Energy::Bending)),
-        ("energy = \"coons\"", extremal(Energy::Coons)),
-        ("energy = \"area\"", extremal(Energy::Area)),
+        ("energy = \"dirichlet\"", extremal(Functional::Dirichlet)),
+        ("energy = \"laplacian\"", extremal(Functional::Laplacian)),
+        ("energy = \"bending\"", extremal(Functional::Bending)),
+        ("energy = \"coons\"", extremal(Functional::Coons)),
+        ("energy = \"area\"", TensorInterior::LeastArea { tolerance: 1e-10, bound: false }),
         (
             "energy = \"dirichlet\"\nmetric-steps = 2",
-            Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 2 },
+            TensorInterior::MetricCorrections { steps: 2, solver: SolverChoice::Auto },
         ),
-        ("mask = -0.25", Interior::Mask(Mask::Alpha(-0.25))),
-        ("mask = 0", Interior::Mask(Mask::Alpha(0.0))),
-        ("construction = \"discrete-coons\"", Interior::DiscreteCoons),
-        ("construction = \"harmonic\"", Interior::Harmonic),
+        ("mask = -0.25", TensorInterior::Mask { alpha: -0.25 }),
+        ("mask = 0", TensorInterior::Mask { alpha: 0.0 }),
+        ("construction = \"discrete-coons\"", TensorInterior::DiscreteCoons),
+        ("construction = \"harmonic\"", TensorInterior::Harmonic),
     ] {
         let method = &methods(&format!("[[method]]\nname = \"a\"\n{line}\n"))[0];
-        assert_eq!((method.interior, method.basis), (interior, Basis::Bernstein), "{line}");
+        assert_eq!(tensor(method), (&Functions::Bernstein, interior), "{line}");
     }
 }
 
@@ -149,19 +166,19 @@ fn every_interior() {
 fn what_a_search_minimises() {
     let energy = |lines: &str| {
         let text = format!("[[method]]\nname = \"a\"\nbasis = \"gt\"\nsearch = true\n{lines}\n");
-        methods(&text)[0].search_energy
+        tensor(&methods(&text)[0]).0.searched().map(|(_, _, energy)| energy)
     };
-    assert_eq!(energy("energy = \"bending\""), Energy::Bending);
-    assert_eq!(energy("energy = \"bending\"\nsearch-energy = \"area\""), Energy::Area);
-    assert_eq!(energy("construction = \"harmonic\""), Energy::Laplacian);
-    assert_eq!(energy("mask = 0.1\nsearch-energy = \"coons\""), Energy::Coons);
+    assert_eq!(energy("energy = \"bending\""), Some(Energy::Quadratic(Functional::Bending)));
+    assert_eq!(energy("energy = \"bending\"\nsearch-energy = \"area\""), Some(Energy::Area));
+    assert_eq!(energy("construction = \"harmonic\""), Some(Energy::LAPLACIAN));
+    assert_eq!(energy("mask = 0.1\nsearch-energy = \"coons\""), Some(Energy::Quadratic(Functional::Coons)));
 }
 
 #[test]
 fn tb_coons_needs_no_basis() {
     let text = "[[method]]\nname = \"a\"\npatch = \"tb-coons\"\nenergy = \"dirichlet\"\nsearch = \"polish\"\nraise = 2\n";
     let method = &methods(text)[0];
-    assert_eq!((method.patch, method.basis, method.raise), (Patch::TbCoons, Basis::Gt, 2));
+    assert_eq!((method.family(), method.raise()), (Family::Shaped(ShapedFamily::TbCoons), 2));
 }
 
 #[test]
@@ -171,8 +188,10 @@ fn solvers_and_the_local_variant() {
                 [search]\nvariant = \"local\"\nneighbours = 3\nbox = [0, 4]\n";
     let plan = plan(&format!("{NET}{text}"));
     let patches = patches(&plan);
-    assert_eq!(patches.methods[0].solver, SolverChoice::Separable);
-    assert_eq!(patches.methods[1].solver, SolverChoice::Sparse);
+    let separable =
+        TensorInterior::Extremal { energy: Functional::Dirichlet, solver: SolverChoice::Separable };
+    assert_eq!(tensor(&patches.methods[0]).1, separable);
+    assert_eq!(tensor(&patches.methods[1]).1, TensorInterior::Mask { alpha: 0.1 });
     assert_eq!(patches.search.variant, Variant::Local { neighbours: 3 });
     assert_eq!((patches.search.lower, patches.search.upper), (0.0, 4.0));
 }
@@ -227,9 +246,11 @@ fn triangles() {
     let patches = patches(&plan);
     assert!(matches!(patches.boundary, Boundary::Triangle(_)));
     assert_eq!(patches.boundary.degrees(), (2, 2));
-    let masks: Vec<Interior> = patches.methods.iter().map(|method| method.interior).collect();
-    assert_eq!(masks, [Mask::Coons, Mask::Dirichlet, Mask::Alpha(1.0 / 9.0)].map(Interior::Mask));
-    assert!(patches.methods.iter().all(|m| (m.patch, m.shape) == (Patch::Triangle, Shape::None)));
+    let masks = [TriangleMask::Coons, TriangleMask::Dirichlet, TriangleMask::Symmetric(1.0 / 9.0)];
+    for (method, mask) in patches.methods.iter().zip(masks) {
+        assert_eq!(method.filling(), &Filling::Triangle(TriangleInterior::Mask(mask)));
+        assert_eq!(method.family(), Family::Triangle);
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What an experiment is about to cost, in words.
 
 use experiment::{Experiment, Plan};
-use plateau::{Cost, Method, SearchMode, Shape};
+use plateau::{Cost, Method, SearchMode};
 
 /// Methods that take less on one core are not spoken of.
 const WORTH_TELLING: f64 = 1.0;
@@ -13,14 +13,12 @@ pub(crate) fn costs(plan: &Plan) -> Vec<String> {
     let told = |method: &Method| {
         let cost = method.cost(degrees, &patches.search)?;
         (cost.seconds >= WORTH_TELLING).then(|| {
-            let descents = Method { shape: Shape::Search(SearchMode::Polish), ..method.clone() };
-            let less = match method.shape {
-                Shape::Search(SearchMode::Pso | SearchMode::PsoPolish) => {
-                    descents.cost(degrees, &patches.search)
-                }
-                Shape::None | Shape::Fixed(_) | Shape::Search(SearchMode::Polish) => None,
+            let descents = method.clone().searched_by(SearchMode::Polish);
+            let less = match method.search_mode() {
+                Some(SearchMode::Pso | SearchMode::PsoPolish) => descents.cost(degrees, &patches.search),
+                Some(SearchMode::Polish) | None => None,
             };
-            cost_line(&method.name, cost, less)
+            cost_line(method.name(), cost, less)
         })
     };
     patches.methods.iter().filter_map(told).collect()
@@ -82,7 +80,7 @@ mod tests {
         "#;
         let plan = Plan::parse("a.toml", text).expect("sound");
         let Experiment::Patch(patches) = &plan.experiment else { panic!("a patch") };
-        assert_eq!(patches.methods[0].shape, Shape::Search(SearchMode::Polish));
+        assert_eq!(patches.methods[0].search_mode(), Some(SearchMode::Polish));
         let told = costs(&plan);
         let [swarm] = told.as_slice() else { panic!("{told:?}") };
         assert!(swarm.starts_with("\"by a swarm\": some 50651 least areas, about "), "{swarm}");

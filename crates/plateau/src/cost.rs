@@ -1,6 +1,6 @@
 //! What least areas cost, told before they are begun.
 
-use crate::{Energy, Interior, Method, Patch, Search, SearchMode, Shape, memory};
+use crate::{Energy, Filling, Method, Search, SearchMode, memory};
 
 /// What the least areas of one method take, by counting.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,18 +31,12 @@ impl Method {
     /// if the shape is searched.
     #[must_use]
     pub fn cost(&self, degrees: (usize, usize), search: &Search) -> Option<Cost> {
-        match self.interior {
-            Interior::Extremal { energy: Energy::Area, .. } => {}
-            Interior::Extremal { .. } | Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => {
-                return None;
-            }
+        if self.minimised() != Some(Energy::Area) {
+            return None;
         }
-        let least_areas = match self.shape {
-            Shape::None | Shape::Fixed(_) => 1,
-            Shape::Search(mode) => search.shapes(mode).saturating_add(1),
-        };
-        let (m, n) = (degrees.0 + self.raise, degrees.1 + self.raise);
-        let step = CALLS + operations(self.patch, m as f64, n as f64) / SPEED;
+        let least_areas = self.search_mode().map_or(1, |mode| search.shapes(mode).saturating_add(1));
+        let (m, n) = (degrees.0 + self.raise(), degrees.1 + self.raise());
+        let step = CALLS + operations(self.filling(), m as f64, n as f64) / SPEED;
         Some(Cost {
             least_areas,
             seconds: least_areas as f64 * STEPS * step,
@@ -66,21 +60,21 @@ impl Search {
 }
 
 /// Multiplications and additions of one Newton step: the Hessian over a rule of about the degree and a half, and its factorisation.
-fn operations(patch: Patch, m: f64, n: f64) -> f64 {
+fn operations(filling: &Filling, m: f64, n: f64) -> f64 {
     let line = 1.5 * m.max(n) + 4.0;
     let cube = |unknowns: f64| unknowns.powi(3) / 3.0;
-    match patch {
-        // Sums over v for every line of constant u, then over u.
-        Patch::Tensor => {
-            let free = (m - 1.0).max(0.0) * (n - 1.0).max(0.0);
-            30.0 * (line * n).powi(2) + 24.0 * line * (m * n).powi(2) + cube(3.0 * free)
-        }
+    match filling {
         // Sums over all points for all pairs of unknowns.
-        Patch::TbCoons => {
+        Filling::Tensor { functions, .. } if functions.is_blend() => {
             let unknowns = 3.0 * (m - 1.0).max(0.0) * (n - 1.0).max(0.0);
             2.0 * (line * unknowns).powi(2) + cube(unknowns)
         }
-        Patch::Triangle => {
+        // Sums over v for every line of constant u, then over u.
+        Filling::Tensor { .. } => {
+            let free = (m - 1.0).max(0.0) * (n - 1.0).max(0.0);
+            30.0 * (line * n).powi(2) + 24.0 * line * (m * n).powi(2) + cube(3.0 * free)
+        }
+        Filling::Triangle(_) => {
             let unknowns = 1.5 * (n - 1.0).max(0.0) * (n - 2.0).max(0.0);
             let line = 0.75 * n + 6.0;
             6.0 * (line * unknowns).powi(2) + cube(unknowns)
@@ -91,42 +85,36 @@ fn operations(patch: Patch, m: f64, n: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Basis, SolverChoice};
+    use surfaces::ShapedFamily;
 
-    fn method(shape: Shape, raise: usize) -> Method {
-        Method {
-            name: "a".to_owned(),
-            patch: Patch::Tensor,
-            basis: if shape == Shape::None { Basis::Bernstein } else { Basis::Gt },
-            shape,
-            interior: Interior::Extremal { energy: Energy::Area, metric_steps: 0 },
-            search_energy: Energy::Area,
-            raise,
-            solver: SolverChoice::Auto,
-            domain: energy::ReferenceTriangle::Right,
-            tolerance: 1e-10,
-            bound: false,
-        }
+    use crate::{FixedShape, Functions, SolverChoice, TensorInterior};
+
+    const LEAST: TensorInterior = TensorInterior::LeastArea { tolerance: 1e-10, bound: false };
+
+    fn method(functions: Functions, raise: usize) -> Method {
+        Method::tensor("a", functions, LEAST).and_then(|method| method.raised(raise)).expect("a method")
     }
 
     #[test]
     fn a_swarm_costs_hundreds_of_times_what_descents_do_and_no_search_nothing() {
-        let of = |shape| method(shape, 0).cost((3, 3), &Search::default()).expect("a least area");
-        let [one, polish, swarm] =
-            [Shape::Fixed([1.0; 4]), Shape::Search(SearchMode::Polish), Shape::Search(SearchMode::Pso)]
-                .map(of);
+        let of = |functions| method(functions, 0).cost((3, 3), &Search::default()).expect("a least area");
+        let searched = |mode| Functions::Searched { family: ShapedFamily::Gt, mode, energy: Energy::Area };
+        let fixed = FixedShape::new(ShapedFamily::Gt, vec![1.0; 4]).expect("a shape");
+        let one = of(Functions::Shaped(fixed));
+        let [polish, swarm] = [SearchMode::Polish, SearchMode::Pso].map(|mode| of(searched(mode)));
         assert_eq!([one.least_areas, polish.least_areas, swarm.least_areas], [1, 151, 50_501]);
         assert!(swarm.seconds > 300.0 * polish.seconds && polish.seconds > 100.0 * one.seconds);
-        let other = Method {
-            interior: Interior::Extremal { energy: Energy::Dirichlet, metric_steps: 0 },
-            ..method(Shape::None, 0)
-        };
+        let dirichlet =
+            TensorInterior::Extremal { energy: energy::Functional::Dirichlet, solver: SolverChoice::Auto };
+        let other = Method::tensor("a", Functions::Bernstein, dirichlet).expect("a method");
         assert_eq!(other.cost((3, 3), &Search::default()), None);
     }
 
     #[test]
     fn time_and_memory_grow_with_the_degree() {
-        let of = |raise| method(Shape::None, raise).cost((2, 2), &Search::default()).expect("a least area");
+        let of = |raise| {
+            method(Functions::Bernstein, raise).cost((2, 2), &Search::default()).expect("a least area")
+        };
         for raise in 0..30 {
             let (lower, higher) = (of(raise), of(raise + 1));
             assert!(lower.seconds < higher.seconds && lower.bytes < higher.bytes, "{lower:?} {higher:?}");

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::{Energy, Interior, Method, Patch, Shape};
+use crate::{Energy, Filling, Functions, Method, TensorInterior, TriangleInterior};
 
 /// What is offered to a lower degree than [`MAX_DEGREE`](crate::MAX_DEGREE). Where its system is solved in control points, their condition is beyond
 /// double precision at the next degrees, whatever the boundary; least areas would besides take minutes and gigabytes to say so.
@@ -52,20 +52,26 @@ impl Method {
     /// What limits the degree of this method; none if it is offered to [`MAX_DEGREE`](crate::MAX_DEGREE).
     #[must_use]
     pub fn degree_limit(&self) -> Option<DegreeLimit> {
-        match self.interior {
-            Interior::Extremal { energy: Energy::Area, .. } if self.patch == Patch::Triangle => {
-                Some(DegreeLimit::TriangularLeastArea)
-            }
-            Interior::Extremal { energy: Energy::Area, .. } => Some(DegreeLimit::LeastArea),
-            Interior::Extremal { .. } if self.patch == Patch::Triangle => Some(DegreeLimit::Triangle),
-            Interior::Extremal { metric_steps, .. } if metric_steps > 0 => Some(DegreeLimit::MetricSteps),
-            Interior::Extremal { energy, .. }
-                if matches!(self.shape, Shape::Search(_)) && self.search_energy != energy =>
-            {
-                Some(DegreeLimit::OtherSearchEnergy)
-            }
-            Interior::Harmonic => Some(DegreeLimit::Harmonic),
-            Interior::Extremal { .. } | Interior::Mask(_) | Interior::DiscreteCoons => None,
+        match self.filling() {
+            Filling::Triangle(TriangleInterior::LeastArea { .. }) => Some(DegreeLimit::TriangularLeastArea),
+            Filling::Triangle(
+                TriangleInterior::Extremal { .. } | TriangleInterior::MetricCorrections { .. },
+            ) => Some(DegreeLimit::Triangle),
+            Filling::Triangle(TriangleInterior::Mask(_) | TriangleInterior::DiscreteCoons) => None,
+            Filling::Tensor { functions, interior } => limit_of_tensor(functions, *interior),
         }
+    }
+}
+
+fn limit_of_tensor(functions: &Functions, interior: TensorInterior) -> Option<DegreeLimit> {
+    match interior {
+        TensorInterior::LeastArea { .. } => Some(DegreeLimit::LeastArea),
+        TensorInterior::MetricCorrections { .. } => Some(DegreeLimit::MetricSteps),
+        TensorInterior::Harmonic => Some(DegreeLimit::Harmonic),
+        TensorInterior::Extremal { energy, .. } => {
+            let other = functions.searched().is_some_and(|(_, _, for_)| for_ != Energy::Quadratic(energy));
+            other.then_some(DegreeLimit::OtherSearchEnergy)
+        }
+        TensorInterior::Mask { .. } | TensorInterior::DiscreteCoons => None,
     }
 }

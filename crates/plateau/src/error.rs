@@ -143,11 +143,13 @@ pub enum MethodError {
     /// The user ended the work before this method had a result.
     #[error("interrupted before it had a result")]
     Interrupted,
-    /// Not offered by this version.
-    #[error("{what} is not available in this version")]
-    Unavailable {
-        /// What was asked for.
-        what: &'static str,
+    /// The boundary has other sides than the method fills.
+    #[error("this method fills {needs}, and the boundary has {given}")]
+    Sides {
+        /// What the method fills.
+        needs: &'static str,
+        /// What there is.
+        given: &'static str,
     },
 }
 

@@ -1,6 +1,6 @@
 //! The figures a patch is judged by.
 
-use energy::{EnergyError, Integral, area, integrate};
+use energy::{EnergyError, Functional, Integral, area, integrate};
 use surfaces::{Jet, Mesh, Patch};
 
 /// Energies, area and curvature of a patch, each computed by quadrature from the patch itself, whatever made it.
@@ -14,8 +14,8 @@ pub struct Figures {
     pub laplacian_defect: Integral,
     /// ∫‖x_uu‖² + 2‖x_uv‖² + ‖x_vv‖², length².
     pub bending: Integral,
-    /// ∫‖x_uv‖², length², of extremals of the Coons functional alone.
-    pub coons_functional: Option<Integral>,
+    /// The quadratic energy that was minimised, where it is none of those above, length².
+    pub minimised: Option<(Functional, Integral)>,
     /// (D − A)/A: 0 exactly for conformal charts. None for a patch without area.
     pub conformality_gap: Option<f64>,
     /// Largest |H| at the vertices of the mesh, 1/length. None for a patch without area, or if it is singular at all of them.
@@ -80,7 +80,7 @@ impl Figures {
             area,
             laplacian_defect,
             bending,
-            coons_functional: None,
+            minimised: None,
             conformality_gap: has_area.then(|| (dirichlet.value - area.value) / area.value),
             mean_curvature_max: largest.filter(|h| has_area && h.is_finite()),
             mean_curvature_rms: rms.filter(|rms| rms.is_finite()),
@@ -88,15 +88,35 @@ impl Figures {
         })
     }
 
-    /// ∫‖x_uv‖² of `patches`.
+    /// A quadratic energy, if it is known.
+    #[must_use]
+    pub fn quadratic(&self, functional: Functional) -> Option<Integral> {
+        match functional {
+            Functional::Dirichlet => Some(self.dirichlet),
+            Functional::Laplacian => Some(self.laplacian_defect),
+            Functional::Bending => Some(self.bending),
+            Functional::Coons => {
+                self.minimised.filter(|(known, _)| *known == functional).map(|(_, value)| value)
+            }
+        }
+    }
+
+    /// These figures of `patches` with a quadratic energy that they minimise.
     ///
     /// # Errors
     /// As [`energy::integrate`].
-    pub(crate) fn coons_functional(&self, patches: &[&dyn Patch]) -> Result<Integral, EnergyError> {
-        let scale = self.dirichlet.value;
-        let [functional] =
-            summed(patches, |patch| integrate(patch, TOLERANCE, [scale], |jet| [jet.uv.dot(jet.uv)]))?;
-        Ok(functional)
+    pub(crate) fn with_minimised(
+        mut self,
+        functional: Functional,
+        patches: &[&dyn Patch],
+    ) -> Result<Self, EnergyError> {
+        if self.quadratic(functional).is_none() {
+            let scale = self.dirichlet.value;
+            let density = |jet: &Jet| [functional.density(jet)];
+            let [value] = summed(patches, |patch| integrate(patch, TOLERANCE, [scale], density))?;
+            self.minimised = Some((functional, value));
+        }
+        Ok(self)
     }
 }
 

@@ -82,7 +82,7 @@ pub use degeneracy::Degeneracy;
 pub use degenerate::degeneracies;
 pub use degree_limit::DegreeLimit;
 pub use done::Done;
-pub use energy::ReferenceTriangle;
+pub use energy::{Functional, ReferenceTriangle};
 pub use error::MethodError;
 pub use family::Family;
 pub use figures::Figures;
@@ -100,7 +100,10 @@ pub use least_area::{
     least_area_triangle_from, least_area_triangle_raised,
 };
 pub use lower_bound::{CalibratedFace, Competitors, LowerBound, NoBound, lower_bound, lower_bound_of_net};
-pub use method::{Basis, Energy, Interior, Mask, Method, Patch, Shape, SolverChoice};
+pub use method::{
+    Energy, Filling, FixedShape, Functions, MAX_METRIC_STEPS, Method, MethodFault, SolverChoice, TOLERANCES,
+    TensorInterior, TriangleInterior,
+};
 pub use outcome::{MethodResult, Results};
 pub use own_net::{NetBasis, OrderSix, OwnNet, of_net};
 pub use progress::Progress;
@@ -110,4 +113,5 @@ pub use search::{MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchMode, SearchOut
 pub use solve::solve;
 pub use solved::{SolveFigures, Solved};
 pub use surface::Surface;
+pub use surfaces::{ShapedFamily, TriangleMask};
 pub use warning::Warning;

@@ -1,6 +1,6 @@
 //! Memory that a method is about to take: asked for beforehand, so that its lack is an error and not the end of the program.
 
-use crate::{Energy, Interior, Method, MethodError, Patch, SolverChoice};
+use crate::{Filling, Method, MethodError, SolverChoice, TensorInterior, TriangleInterior};
 
 /// Tables, meshes of pictures and stacks beside the arrays that are counted.
 const BESIDE: usize = 16 << 20;
@@ -17,29 +17,61 @@ pub(crate) fn holds(bytes: usize) -> Result<(), MethodError> {
 
 /// Bytes of the largest arrays that `method` takes on a net of these degrees, before it is raised.
 pub(crate) fn of_method(method: &Method, (m, n): (usize, usize)) -> usize {
-    let (m, n) = (m + method.raise, n + method.raise);
-    let (points, free) = match method.patch {
-        Patch::Triangle => ((n + 1) * (n + 2) / 2, n.saturating_sub(1) * n.saturating_sub(2) / 2),
-        Patch::Tensor | Patch::TbCoons => ((m + 1) * (n + 1), m.saturating_sub(1) * n.saturating_sub(1)),
-    };
-    let square = |order: usize| 8usize.saturating_mul(order.saturating_mul(order));
-    let is_tensor = method.patch != Patch::Triangle;
-    match method.interior {
-        // The Hessian in three coordinates, its copy with a shift, its factor.
-        Interior::Extremal { energy: Energy::Area, .. } => square(3 * free).saturating_mul(4),
-        // Solved for direction by direction.
-        Interior::Extremal { metric_steps: 0, .. } if is_tensor && method.solver != SolverChoice::Dense => {
-            points.saturating_mul(4096)
+    let (m, n) = (m + method.raise(), n + method.raise());
+    match method.filling() {
+        Filling::Tensor { interior, .. } => {
+            of_tensor(*interior, (m + 1) * (n + 1), m.saturating_sub(1) * n.saturating_sub(1))
         }
-        // The form, the block of the free points, its copy in units, its factor, and those of the proof.
-        Interior::Extremal { metric_steps, .. } => {
-            let forms = if metric_steps > 0 { 5 } else { 2 };
-            square(points).saturating_mul(forms).saturating_add(square(free).saturating_mul(6))
+        Filling::Triangle(interior) => {
+            of_triangle(*interior, (n + 1) * (n + 2) / 2, n.saturating_sub(1) * n.saturating_sub(2) / 2)
         }
-        Interior::Harmonic => square(points).saturating_mul(6),
-        Interior::Mask(_) => points.saturating_mul(4096),
-        // Nothing is solved: the net, and the few copies that are made of it.
-        Interior::DiscreteCoons => points.saturating_mul(256),
+    }
+}
+
+/// Bytes of a square matrix.
+fn square(order: usize) -> usize {
+    8usize.saturating_mul(order.saturating_mul(order))
+}
+
+/// Bytes of a least area: the Hessian in three coordinates, its copy with a shift, its factor.
+fn of_least_area(free: usize) -> usize {
+    square(3 * free).saturating_mul(4)
+}
+
+/// Bytes of a dense extremal: its forms, the block of the free points, its copy in units, its factor, and those of the proof.
+fn of_dense(forms: usize, points: usize, free: usize) -> usize {
+    square(points).saturating_mul(forms).saturating_add(square(free).saturating_mul(6))
+}
+
+/// Bytes of the system of a mask, or of one solved for direction by direction.
+fn of_sparse(points: usize) -> usize {
+    points.saturating_mul(4096)
+}
+
+/// Bytes of a net that is given by a formula, and of the few copies that are made of it.
+fn of_formula(points: usize) -> usize {
+    points.saturating_mul(256)
+}
+
+fn of_tensor(interior: TensorInterior, points: usize, free: usize) -> usize {
+    match interior {
+        TensorInterior::LeastArea { .. } => of_least_area(free),
+        TensorInterior::Extremal { solver: SolverChoice::Dense, .. } => of_dense(2, points, free),
+        TensorInterior::Extremal { solver: SolverChoice::Auto | SolverChoice::Separable, .. }
+        | TensorInterior::Mask { .. } => of_sparse(points),
+        TensorInterior::MetricCorrections { .. } => of_dense(5, points, free),
+        TensorInterior::Harmonic => square(points).saturating_mul(6),
+        TensorInterior::DiscreteCoons => of_formula(points),
+    }
+}
+
+fn of_triangle(interior: TriangleInterior, points: usize, free: usize) -> usize {
+    match interior {
+        TriangleInterior::LeastArea { .. } => of_least_area(free),
+        TriangleInterior::Extremal { .. } => of_dense(2, points, free),
+        TriangleInterior::MetricCorrections { .. } => of_dense(5, points, free),
+        TriangleInterior::Mask(_) => of_sparse(points),
+        TriangleInterior::DiscreteCoons => of_formula(points),
     }
 }
 

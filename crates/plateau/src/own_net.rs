@@ -3,7 +3,8 @@
 use surfaces::{Net, Point, TensorPatch, anchor};
 
 use crate::{
-    BoundaryFigures, Done, Family, Figures, MethodError, MethodResult, Search, Solved, Surface, memory, trust,
+    BoundaryFigures, Done, Family, Figures, FixedShape, MethodError, MethodResult, Search, Solved, Surface,
+    memory, trust,
 };
 
 /// A net of control points, all of them given, and the functions in which it is read.
@@ -20,11 +21,8 @@ pub struct OwnNet {
 pub enum NetBasis {
     /// Bernstein polynomials on [0, 1].
     Bernstein,
-    /// GT functions on [0, 1] (GT).
-    Gt {
-        /// Shape parameters (α1, α2, β1, β2), each in [0, 4], neither pair both zero.
-        shape: [f64; 4],
-    },
+    /// A family on [0, 1] with its shape parameters.
+    Shaped(FixedShape),
     /// Algebraic–hyperbolic–trigonometric functions of order 6 (AHT); a direction of two points is linear.
     Aht(OrderSix),
     /// Algebraic–trigonometric functions of order 6 (AT); a direction of two points is linear.
@@ -74,7 +72,7 @@ fn measured(own: &OwnNet, subdivisions: usize) -> Result<Done, MethodError> {
 }
 
 /// The surface as it lies `origin` away from where it was given.
-fn surface(own: &OwnNet, origin: Point) -> Result<(Surface, Family, Option<[f64; 4]>), MethodError> {
+fn surface(own: &OwnNet, origin: Point) -> Result<(Surface, Family, Option<Vec<f64>>), MethodError> {
     let points = own.points.points().iter().map(|&p| p - origin).collect();
     let net = Net::new(own.points.rows(), own.points.cols(), points)?;
     let pieces = |patch: TensorPatch, cuts: &[Vec<f64>; 2]| -> Result<Surface, MethodError> {
@@ -82,7 +80,10 @@ fn surface(own: &OwnNet, origin: Point) -> Result<(Surface, Family, Option<[f64;
     };
     Ok(match &own.basis {
         NetBasis::Bernstein => (Surface::Tensor(TensorPatch::bernstein(net)?), Family::Bernstein, None),
-        NetBasis::Gt { shape } => (Surface::Tensor(TensorPatch::gt(net, *shape)?), Family::Gt, Some(*shape)),
+        NetBasis::Shaped(shape) => {
+            let patch = shape.family().patch(net, shape.parameters())?;
+            (Surface::Tensor(patch), Family::Shaped(shape.family()), Some(shape.parameters().to_vec()))
+        }
         NetBasis::Aht(OrderSix { spans, cuts }) => {
             (pieces(TensorPatch::aht(net, *spans)?, cuts)?, Family::Aht, None)
         }

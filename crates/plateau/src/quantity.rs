@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use energy::Integral;
+use energy::{Functional, Integral};
 
-use crate::Done;
+use crate::{Done, Energy};
 
 /// The value of a figure, with its error if it has one of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,7 +86,7 @@ quantities! {
         |done, _| Some(done.figures.laplacian_defect.into());
     Bending = "bending", "bending", 2, "∫‖S_uu‖² + 2‖S_uv‖² + ‖S_vv‖², length²", |done, _| Some(done.figures.bending.into());
     CoonsFunctional = "coons-functional", "coons_functional", 2, "∫‖S_uv‖² of extremals of the Coons functional, length²",
-        |done, _| done.figures.coons_functional.map(Into::into);
+        |done, _| done.figures.quadratic(Functional::Coons).map(Into::into);
     MetricDirichlet = "metric-dirichlet", "metric_dirichlet", 2,
         "D^g of metric corrections, the Dirichlet energy in the metric of the surface before the last; at least 2·area; length²",
         |done, _| done.solved.solve?.metric.map(Into::into);
@@ -125,7 +125,7 @@ quantities! {
         "the least area of two loops, each spanned by itself, length²",
         |done, _| done.film.as_ref()?.one_by_one.map(Into::into);
     Shape[k] = "shape", "shape", 0, "the shape parameters: one number for all of them, or a list",
-        |done, index| done.solved.shape.and_then(|shape| shape.get(index).copied()).map(Into::into);
+        |done, index| done.solved.shape.as_ref().and_then(|shape| shape.get(index).copied()).map(Into::into);
     SearchMinimum = "search-minimum", "search.minimum", 2, "the least best value of the search's runs",
         |done, _| done.solved.search.as_ref().map(|search| search.minimum.into());
     Curvature[k] = "curvature", "curvature", -1,
@@ -133,6 +133,24 @@ quantities! {
 }
 
 impl Quantity {
+    /// The figure that is the value of an energy.
+    #[must_use]
+    pub const fn of_energy(energy: Energy) -> Self {
+        match energy {
+            Energy::Area => Self::Area,
+            Energy::Quadratic(Functional::Dirichlet) => Self::Dirichlet,
+            Energy::Quadratic(Functional::Laplacian) => Self::LaplacianDefect,
+            Energy::Quadratic(Functional::Bending) => Self::Bending,
+            Energy::Quadratic(Functional::Coons) => Self::CoonsFunctional,
+        }
+    }
+
+    /// Whether it says something of the surface; the others tell how it was found, or of curves.
+    #[must_use]
+    pub const fn is_of_the_surface(self) -> bool {
+        !matches!(self, Self::Residual | Self::SearchMinimum | Self::Curvature(_))
+    }
+
     /// The name in experiment files (the same for every index).
     #[must_use]
     pub const fn name(self) -> &'static str {

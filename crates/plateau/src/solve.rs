@@ -3,12 +3,13 @@
 use surfaces::TensorPatch;
 
 use crate::excess::estimated;
-use crate::interior::{boundary_net, construct, extremal, triangle, with_shape};
+use crate::interior::{boundary_net, construct, extremal, triangle};
+use crate::method::patch_of;
 use crate::search::search;
 use crate::{
-    AreaExtremal, Basis, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Method,
-    MethodError, Patch, Shape, Solved, Surface, Warning, least_area_from, least_area_raised,
-    lower_bound_of_net, memory, trust,
+    AreaExtremal, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Filling, FixedShape,
+    Functions, Method, MethodError, SolveFigures, Solved, Surface, TensorInterior, Warning, least_area_from,
+    least_area_raised, lower_bound_of_net, memory, trust,
 };
 
 /// A surface that loses more than this share of its size to cancellation is not one.
@@ -26,7 +27,7 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         return Err(MethodError::Interrupted);
     }
     if let Some(limit) = method.degree_limit() {
-        limit.admits(boundary.degrees(), method.raise)?;
+        limit.admits(boundary.degrees(), method.raise())?;
     }
     memory::holds(memory::of_method(method, boundary.degrees()))?;
     let given = boundary;
@@ -42,7 +43,7 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
     }
     let mut mesh = solved.surface.mesh(context.mesh)?;
-    context.progress.begin(&format!("figures of {}", method.name), None);
+    context.progress.begin(&format!("figures of {}", method.name()), None);
     let figures = figures(&solved, &mesh, origin);
     context.progress.end();
     let figures = figures?;
@@ -55,12 +56,15 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         estimated((&solved.surface, solved.family, solved.area.as_ref()), &mut warnings, context.progress)?;
     solved.surface = solved.surface.moved(origin)?;
     mesh.points.iter_mut().for_each(|p| *p += origin);
-    let bound = match &solved.surface {
-        Surface::Tensor(patch) if method.bound => {
+    let bound = match (&solved.surface, method.filling()) {
+        (
+            Surface::Tensor(patch),
+            Filling::Tensor { interior: TensorInterior::LeastArea { bound: true, .. }, .. },
+        ) => {
             let bound = lower_bound_of_net(&boundary_net(given)?, patch.net());
             bound.map_err(|why| warnings.push(Warning::NoBound(why))).ok()
         }
-        Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
+        (Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_), _) => None,
     };
     Ok(Done { solved, mesh, figures, boundary, closed_form: None, film: None, estimate, bound, warnings })
 }
@@ -68,89 +72,116 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
 /// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.
 fn figures(solved: &Solved, mesh: &surfaces::Mesh, origin: surfaces::Point) -> Result<Figures, MethodError> {
     let patches: Vec<&dyn surfaces::Patch> = solved.surface.patch().into_iter().collect();
-    let mut figures = Figures::of_moved(&patches, mesh, origin.norm())?;
-    if solved.minimised == Some(Energy::Coons) {
-        figures.coons_functional = Some(figures.coons_functional(&patches)?);
-    }
-    Ok(figures)
+    let figures = Figures::of_moved(&patches, mesh, origin.norm())?;
+    Ok(match solved.minimised {
+        Some(Energy::Quadratic(functional)) => figures.with_minimised(functional, &patches)?,
+        Some(Energy::Area) | None => figures,
+    })
 }
 
 /// The patch of least area on the border of `patch`, not above those at hand.
 fn of_least_area(
     boundary: &Boundary,
-    method: &Method,
+    raise: usize,
     patch: &TensorPatch,
-    shape: Option<[f64; 4]>,
+    shape: Option<&FixedShape>,
+    tolerance: f64,
     context: &Context<'_>,
 ) -> Result<(TensorPatch, AreaExtremal), MethodError> {
-    let family = family(method);
     let (m, n) = patch.net().degrees();
+    let family = shape.map_or(Family::Bernstein, |shape| Family::Shaped(shape.family()));
     let mut starts = Vec::new();
     for solved in context.at_hand {
         let Surface::Tensor(other) = &solved.surface else { continue };
         let (k, l) = other.net().degrees();
-        if solved.family != family || solved.shape != shape || k > m || n.checked_sub(l) != Some(m - k) {
+        let has_functions =
+            solved.family == family && solved.shape.as_deref() == shape.map(FixedShape::parameters);
+        if !has_functions || k > m || n.checked_sub(l) != Some(m - k) {
             continue;
         }
-        match family {
-            Family::Bernstein => starts.push(TensorPatch::bernstein(other.net().raised(m - k))?),
-            Family::Gt | Family::TbCoons if k == m => starts.push(patch.with_net(other.net().clone())?),
-            Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At | Family::Complex => {}
+        match shape {
+            None => starts.push(TensorPatch::bernstein(other.net().raised(m - k))?),
+            Some(_) if k == m => starts.push(patch.with_net(other.net().clone())?),
+            Some(_) => {}
         }
     }
-    let (tolerance, progress) = (method.tolerance, context.progress);
-    match family {
-        Family::Bernstein => {
-            let net = boundary_net(boundary)?;
-            least_area_raised(&net, method.raise, &starts, tolerance, progress)
-        }
-        Family::Gt | Family::TbCoons | Family::Triangle | Family::Aht | Family::At | Family::Complex => {
-            least_area_from(patch, &starts, tolerance, progress)
-        }
-    }
-}
-
-/// The functions a method makes its tensor patch of.
-fn family(method: &Method) -> Family {
-    match (method.patch, method.basis) {
-        (Patch::TbCoons, _) => Family::TbCoons,
-        (Patch::Tensor | Patch::Triangle, Basis::Gt) => Family::Gt,
-        (Patch::Tensor | Patch::Triangle, Basis::Bernstein) => Family::Bernstein,
+    match shape {
+        None => least_area_raised(&boundary_net(boundary)?, raise, &starts, tolerance, context.progress),
+        Some(_) => least_area_from(patch, &starts, tolerance, context.progress),
     }
 }
 
 /// The patch of a method.
 fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
-    let minimised = method.extremal_energy();
-    if let Boundary::Triangle(sides) = boundary {
-        let (patch, solve, area) = triangle::solve(method, sides, context.at_hand, context.progress)?;
-        let (surface, family) = (Surface::Triangle(patch), Family::Triangle);
-        return Ok(Solved { surface, family, minimised, shape: None, solve, area, search: None });
+    match (method.filling(), boundary) {
+        (Filling::Triangle(interior), Boundary::Triangle(sides)) => {
+            let (patch, solve, area) =
+                triangle::solve(method, *interior, sides, context.at_hand, context.progress)?;
+            let (surface, minimised) = (Surface::Triangle(patch), method.minimised());
+            Ok(Solved {
+                surface,
+                family: Family::Triangle,
+                minimised,
+                shape: None,
+                solve,
+                area,
+                search: None,
+            })
+        }
+        (Filling::Triangle(_), Boundary::Tensor(_) | Boundary::Opposite(_)) => {
+            Err(MethodError::Sides { needs: "three sides", given: boundary.sides() })
+        }
+        (Filling::Tensor { functions, interior }, _) => {
+            of_tensor(boundary, method, functions, *interior, context)
+        }
     }
-    let (net, construction) = construct(method, boundary)?;
-    let (shape, search) = match method.shape {
-        Shape::None => (None, None),
-        Shape::Fixed(shape) => (Some(shape), None),
-        Shape::Search(mode) => {
-            let outcome = search(&net, method, mode, context)?;
-            (Some(outcome.shape), Some(outcome))
+}
+
+/// The tensor patch of a method.
+fn of_tensor(
+    boundary: &Boundary,
+    method: &Method,
+    functions: &Functions,
+    interior: TensorInterior,
+    context: &Context<'_>,
+) -> Result<Solved, MethodError> {
+    let (net, construction) = construct(interior, method.raise(), boundary)?;
+    let (shape, search) = match functions {
+        Functions::Bernstein => (None, None),
+        Functions::Shaped(shape) => (Some(shape.clone()), None),
+        Functions::Searched { family, mode, energy } => {
+            let outcome = search(&net, method.name(), (*family, *energy), interior, *mode, context)?;
+            (Some(FixedShape::new(*family, outcome.shape.clone())?), Some(outcome))
         }
     };
-    let patch = with_shape(net, method, shape)?;
-    let (patch, solve, area) = match construction {
-        Some(figures) => (patch, Some(figures), None),
-        None if minimised == Some(Energy::Area) => {
-            context.progress.begin(&format!("least area of {}", method.name), None);
-            let found = of_least_area(boundary, method, &patch, shape, context);
+    let shape = shape.as_ref();
+    let patch = patch_of(net, shape)?;
+    let linear = |(patch, figures): (TensorPatch, SolveFigures)| (patch, Some(figures), None);
+    let (patch, solve, area) = match interior {
+        TensorInterior::Extremal { energy, solver } => {
+            linear(extremal::solve(&patch, energy, solver, shape)?)
+        }
+        TensorInterior::MetricCorrections { steps, solver } => {
+            linear(extremal::corrected(&patch, steps, solver, shape)?)
+        }
+        TensorInterior::LeastArea { tolerance, .. } => {
+            context.progress.begin(&format!("least area of {}", method.name()), None);
+            let found = of_least_area(boundary, method.raise(), &patch, shape, tolerance, context);
             context.progress.end();
             let (patch, found) = found?;
             (patch, None, Some(found))
         }
-        None => {
-            let (patch, figures) = extremal::solve(&patch, method, shape)?;
-            (patch, Some(figures), None)
+        TensorInterior::Mask { .. } | TensorInterior::DiscreteCoons | TensorInterior::Harmonic => {
+            (patch, construction, None)
         }
     };
-    let family = family(method);
-    Ok(Solved { surface: Surface::Tensor(patch), family, minimised, shape, solve, area, search })
+    Ok(Solved {
+        surface: Surface::Tensor(patch),
+        family: functions.family(),
+        minimised: interior.minimised(),
+        shape: shape.map(|shape| shape.parameters().to_vec()),
+        solve,
+        area,
+        search,
+    })
 }

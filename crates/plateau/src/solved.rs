@@ -11,8 +11,8 @@ pub struct Solved {
     pub family: Family,
     /// The energy whose extremal the interior is; none for constructions and closed forms.
     pub minimised: Option<Energy>,
-    /// The shape parameters (α1, α2, β1, β2), for bases that have them.
-    pub shape: Option<[f64; 4]>,
+    /// The shape parameters, for families that have them: those in u before those in v.
+    pub shape: Option<Vec<f64>>,
     /// How the interior was solved for, if it was.
     pub solve: Option<SolveFigures>,
     /// How the least area was reached, if it was asked for.

@@ -10,11 +10,13 @@ use plateau::{MethodResult, Quantity};
 use plateau::{SearchOutcome, SearchRun, Surface};
 
 mod curve;
+mod minimised;
 mod net;
 mod pieces;
 mod proof;
 
 use curve::CurveEntry;
+use minimised::Minimised;
 use net::rows;
 use pieces::{DomainEntry, PieceEntry, piece_entries, single_net};
 use proof::ProofEntry;
@@ -81,10 +83,8 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     bending_error: Option<f64>,
     /// Energies that were minimised, beside those of every surface.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    coons_functional: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    coons_functional_error: Option<f64>,
+    #[serde(flatten)]
+    minimised: Minimised,
     #[serde(skip_serializing_if = "Option::is_none")]
     metric_dirichlet: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -94,7 +94,7 @@ struct DoneEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     mean_curvature: Option<MeanCurvature>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    shape: Option<[f64; 4]>,
+    shape: Option<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     net: Option<NetEntry>,
     /// The patches of a complex, instead of `net`.
@@ -400,8 +400,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
         laplacian_defect_error: error(Quantity::LaplacianDefect),
         bending: value(Quantity::Bending),
         bending_error: error(Quantity::Bending),
-        coons_functional: value(Quantity::CoonsFunctional),
-        coons_functional_error: error(Quantity::CoonsFunctional),
+        minimised: Minimised::of(done),
         metric_dirichlet: value(Quantity::MetricDirichlet),
         metric_dirichlet_error: error(Quantity::MetricDirichlet),
         conformality_gap: value(Quantity::ConformalityGap),
@@ -409,7 +408,7 @@ fn method_entry(result: &MethodResult) -> MethodEntry {
             value(Quantity::MeanCurvatureMax),
             value(Quantity::MeanCurvatureRms),
         ),
-        shape: done.solved.shape,
+        shape: done.solved.shape.clone(),
         net: match &done.solved.surface {
             Surface::Tensor(patch) => Some(NetEntry::Rows(rows(patch.net()))),
             Surface::Triangle(patch) => Some(NetEntry::Triangle(indexed(patch.net()))),
@@ -501,7 +500,7 @@ fn run_entry(run: &SearchRun) -> RunEntry {
         seed: run.seed,
         run: run.index,
         best: run.value,
-        shape: run.shape.to_vec(),
+        shape: run.shape.clone(),
         reason: run.reason.clone(),
         evaluations: run.evaluations,
         history: run.history.iter().copied().filter(|v| v.is_finite()).collect(),

@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use surfaces::{
     Bezier, Complex, FixedEdge, Mesh, Net, Pieces, Point, SurfaceError, TensorPatch, TriangleNet,
-    TrianglePatch, Vertex, tb_coons,
+    TrianglePatch, Vertex,
 };
 use thiserror::Error;
 
@@ -260,8 +260,7 @@ fn surface(mut entry: Entry, place: &str) -> Result<(Surface, Family), ReadError
     let (patch, basis) =
         (required(entry.patch.take(), &key("patch"))?, required(entry.basis.take(), &key("basis"))?);
     let family = Family::named(&patch, &basis).ok_or_else(|| {
-        let known: Vec<String> = Family::ALL
-            .iter()
+        let known: Vec<String> = Family::all()
             .map(|family| format!("{:?} with {:?}", family.names().0, family.names().1))
             .collect();
         unfit(
@@ -272,14 +271,13 @@ fn surface(mut entry: Entry, place: &str) -> Result<(Surface, Family), ReadError
     let net_key = key("net");
     let whole =
         |net: Option<Value>| -> Result<Net, ReadError> { net_of(&typed::<Rows>(net, &net_key)?, &net_key) };
-    let shape = |value: Option<Value>| typed::<[f64; 4]>(value, &key("shape"));
+    let shape = |value: Option<Value>| typed::<Vec<f64>>(value, &key("shape"));
     let sound = |result: Result<TensorPatch, SurfaceError>| {
         result.map(Surface::Tensor).map_err(|error| unfit(place, error.to_string()))
     };
     let surface = match family {
         Family::Bernstein => sound(TensorPatch::bernstein(whole(entry.net)?))?,
-        Family::Gt => sound(TensorPatch::gt(whole(entry.net)?, shape(entry.shape)?))?,
-        Family::TbCoons => sound(tb_coons(whole(entry.net)?, shape(entry.shape)?))?,
+        Family::Shaped(family) => sound(family.patch(whole(entry.net)?, &shape(entry.shape)?))?,
         Family::Complex => {
             let faces: Vec<FaceEntry> = typed(entry.faces, &key("faces"))?;
             // Results of early versions lack it.

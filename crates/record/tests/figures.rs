@@ -102,13 +102,8 @@ fn every_figure_stands_where_its_row_says() {
 #[test]
 fn what_a_row_minimises_is_recorded_and_least() {
     for (finished, json) in records() {
-        for (quantity, energy) in [
-            (Quantity::Dirichlet, Energy::Dirichlet),
-            (Quantity::LaplacianDefect, Energy::Laplacian),
-            (Quantity::Bending, Energy::Bending),
-            (Quantity::CoonsFunctional, Energy::Coons),
-            (Quantity::Area, Energy::Area),
-        ] {
+        for (_, energy) in Energy::NAMED {
+            let quantity = Quantity::of_energy(energy);
             let k = finished
                 .results
                 .methods

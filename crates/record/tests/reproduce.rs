@@ -38,7 +38,7 @@ fn every_fixture_with_published_numbers_is_reproduced() {
                 for number in &wanted.published {
                     published.insert((
                         format!("{}.toml", plan.stem),
-                        method.name.clone(),
+                        method.name().to_owned(),
                         number.text.clone(),
                     ));
                 }

@@ -147,6 +147,16 @@ pub enum SurfaceError {
         /// Most levels.
         max: u32,
     },
+    /// A patch has another number of shape parameters than its family.
+    #[error("{family} has {expected} shape parameters, got {found}")]
+    ShapeCount {
+        /// The family.
+        family: &'static str,
+        /// Parameters of the family.
+        expected: usize,
+        /// Parameters given.
+        found: usize,
+    },
     /// The families of the patch could not be made.
     #[error(transparent)]
     Basis(#[from] bases::BasisError),

@@ -81,6 +81,22 @@ impl Jet {
         0.5 * (self.u.dot(self.u) + self.v.dot(self.v))
     }
 
+    /// `∂_u^a ∂_v^b x`.
+    ///
+    /// # Panics
+    /// For a + b above 2: a jet ends there.
+    pub fn derivative(&self, a: usize, b: usize) -> Point {
+        match (a, b) {
+            (0, 0) => self.point,
+            (1, 0) => self.u,
+            (0, 1) => self.v,
+            (2, 0) => self.uu,
+            (1, 1) => self.uv,
+            (0, 2) => self.vv,
+            _ => panic!("a jet holds derivatives to the second order, not ({a}, {b})"),
+        }
+    }
+
     /// x_uu + x_vv.
     pub fn laplacian(&self) -> Point {
         self.uu + self.vv

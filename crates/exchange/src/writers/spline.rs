@@ -444,7 +444,7 @@ fn sum(points: impl Iterator<Item = Point>) -> Point {
 
 #[cfg(test)]
 mod tests {
-    use surfaces::{Helicoid, Net, TriangleNet, tb_coons};
+    use surfaces::{Helicoid, Net, ShapedFamily, TriangleNet, tb_coons};
 
     use super::*;
 
@@ -485,9 +485,9 @@ mod tests {
         let coons = Surface::Tensor(tb_coons(net(4, 3), [1.0, 0.5, 2.0, 3.0]).unwrap());
         let helicoid = Surface::Pieces(Helicoid::new(1.0, 2.0, 1.5, 12.0).unwrap().pieces().unwrap());
         let cases = [
-            (gt(2, 2), Family::Gt),
-            (gt(3, 7), Family::Gt),
-            (coons, Family::TbCoons),
+            (gt(2, 2), Family::Shaped(ShapedFamily::Gt)),
+            (gt(3, 7), Family::Shaped(ShapedFamily::Gt)),
+            (coons, Family::Shaped(ShapedFamily::TbCoons)),
             (helicoid, Family::Aht),
         ];
         for (surface, family) in &cases {
@@ -506,7 +506,7 @@ mod tests {
     #[test]
     fn quintic_patches_are_fitted_without_error() {
         let surface = Surface::Tensor(TensorPatch::bernstein(net(5, 5)).unwrap());
-        let (spline, accuracy) = Spline::of(&surface, Family::Gt, 1e-13).unwrap();
+        let (spline, accuracy) = Spline::of(&surface, Family::Shaped(ShapedFamily::Gt), 1e-13).unwrap();
         assert!(matches!(accuracy, Accuracy::Fitted { deviation, size } if deviation < 1e-13 * size));
         assert_eq!(spline.knots[0].values, [0.0, 1.0]);
     }
@@ -514,7 +514,7 @@ mod tests {
     #[test]
     fn what_no_fit_reaches_is_refused() {
         let surface = Surface::Tensor(TensorPatch::gt(net(3, 3), [1.0; 4]).unwrap());
-        let error = Spline::of(&surface, Family::Gt, 1e-18).unwrap_err();
+        let error = Spline::of(&surface, Family::Shaped(ShapedFamily::Gt), 1e-18).unwrap_err();
         assert!(matches!(error, SplineError::Tolerance { reached, .. } if reached < 1e-12), "{error}");
     }
 

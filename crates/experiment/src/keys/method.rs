@@ -1,7 +1,8 @@
 //! `[[method]]`.
 
 use plateau::{
-    Basis, Energy, Interior, MAX_DEGREE, Mask, Patch, ReferenceTriangle, SearchMode, SolverChoice,
+    Energy, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchMode, ShapedFamily, SolverChoice,
+    TOLERANCES, TriangleMask,
 };
 use serde_json::{Map, Value as Json, json};
 
@@ -11,18 +12,27 @@ use crate::text::{
     Whole,
 };
 
-static ENERGIES: [(&str, Energy); 5] = [
-    ("dirichlet", Energy::Dirichlet),
-    ("laplacian", Energy::Laplacian),
-    ("bending", Energy::Bending),
-    ("coons", Energy::Coons),
-    ("area", Energy::Area),
-];
-
 static MODES: [(&str, SearchMode); 3] =
     [("pso", SearchMode::Pso), ("polish", SearchMode::Polish), ("pso-polish", SearchMode::PsoPolish)];
 
-static MASKS: [(&str, Mask); 2] = [("dirichlet", Mask::Dirichlet), ("coons", Mask::Coons)];
+static MASKS: [(&str, TriangleMask); 2] =
+    [("dirichlet", TriangleMask::Dirichlet), ("coons", TriangleMask::Coons)];
+
+/// Nets given by a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Construction {
+    DiscreteCoons,
+    Harmonic,
+}
+
+/// What a file may say of the linear solver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Solver {
+    /// That of an extremal; of masks, the only one.
+    Of(SolverChoice),
+    /// The one of masks.
+    Sparse,
+}
 
 /// Highest degree of the patches of a surface over loops or faces: a face of degree p has 3(p − 1)² unknowns.
 const MOST_OF_A_COMPLEX: u64 = 24;
@@ -107,13 +117,13 @@ impl Form for Weights {
 }
 
 impl Kind for Weights {
-    type Value = Mask;
+    type Value = TriangleMask;
 
-    fn read(&self, place: &Place<'_>, value: &Value<'_>) -> Option<Mask> {
+    fn read(&self, place: &Place<'_>, value: &Value<'_>) -> Option<TriangleMask> {
         match value.get_ref().as_str() {
             Some(word) => place.one_of(word, value, &MASKS),
             None if value.get_ref().is_float() || value.get_ref().is_integer() => {
-                place.real_in(value, ALPHA).map(Mask::Alpha)
+                place.real_in(value, ALPHA).map(TriangleMask::Symmetric)
             }
             None => {
                 place.wrong_type(value, &self.expected());
@@ -126,23 +136,43 @@ impl Kind for Weights {
 pub(crate) static NAME: Key<Text> = Key::new("name", Text::Named, "the label of the row, unique in the file")
     .required()
     .hint("write name = \"…\": it labels the row of the table");
-pub(crate) static PATCH: Key<Name<Patch>> = Key::new(
+pub(crate) static PATCH: Key<Name<Option<ShapedFamily>>> = Key::new(
     "patch",
-    Name(&[("tensor", Patch::Tensor), ("tb-coons", Patch::TbCoons)]),
+    Name(&ShapedFamily::PATCHES),
     "the kind of patch over a tensor boundary; triangles need no such key",
 )
 .or("\"tensor\"")
 .over(&[TENSOR]);
-pub(crate) static BASIS: Key<Name<Basis>> = Key::new(
+pub(crate) static BASIS: Key<Name<Option<ShapedFamily>>> = Key::new(
     "basis",
-    Name(&[("bernstein", Basis::Bernstein), ("gt", Basis::Gt)]),
+    Name(&ShapedFamily::BASES),
     "the basis in which the net is read; of a TB–Coons patch it is \"gt\"",
 )
 .or("\"bernstein\"")
 .over(NETS);
+/// The shapes of all families: as many numbers as one of them has, each in the range of one.
+pub(crate) const SHAPES: Reals = {
+    let (mut least, mut most) = (usize::MAX, 0);
+    let (mut lower, mut upper) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut k = 0;
+    while k < ShapedFamily::ALL.len() {
+        let (count, (from, to)) = (ShapedFamily::ALL[k].parameters().len(), ShapedFamily::ALL[k].range());
+        if count < least {
+            least = count;
+        }
+        if count > most {
+            most = count;
+        }
+        lower = lower.min(from);
+        upper = upper.max(to);
+        k += 1;
+    }
+    Reals { least, most, each: Interval::between(lower, upper) }
+};
+
 pub(crate) static SHAPE: Key<Reals> = Key::new(
     "shape",
-    Reals::exactly(4, Interval::between(0.0, 4.0)),
+    SHAPES,
     "the shape parameters [a1, a2, b1, b2] of the GT basis, a in u, b in v",
 )
 .hint("write shape = [a1, a2, b1, b2], a in u and b in v, each in [0, 4]: outside, the GT functions become negative")
@@ -158,7 +188,8 @@ pub(crate) static SEARCH: Key<Searching> = Key::new(
 .such_as("\"pso\"")
 .over(NETS);
 pub(crate) static ENERGY: Key<Name<Energy>> =
-    Key::new("energy", Name(&ENERGIES), "the energy whose extremal the interior is").such_as("\"dirichlet\"");
+    Key::new("energy", Name(&Energy::NAMED), "the energy whose extremal the interior is")
+        .such_as("\"dirichlet\"");
 pub(crate) static RAISE: Key<Whole<usize>> = Key::new(
     "raise",
     Whole::between(0, MAX_DEGREE as u64),
@@ -176,7 +207,7 @@ pub(crate) static DOMAIN: Key<Name<ReferenceTriangle>> = Key::new(
 .over(&[TRIANGLE]);
 pub(crate) static METRIC_STEPS: Key<Whole<usize>> = Key::new(
     "metric-steps",
-    Whole::between(0, 1000),
+    Whole::between(0, MAX_METRIC_STEPS as u64),
     "the number of metric corrections after the Dirichlet extremal, towards least area: one is the Dirichlet correction of \
      TRI §7, 20 come near the limit",
 )
@@ -191,27 +222,27 @@ pub(crate) static MASK: Key<Weights> = Key::new(
 .such_as("-0.25")
 .hint("give the corner weight; the edge weight follows from it: 3α + 6β = 1 on triangles, 4α + 4β = 1 on tensor nets")
 .over(NETS);
-pub(crate) static CONSTRUCTION: Key<Name<Interior>> = Key::new(
+pub(crate) static CONSTRUCTION: Key<Name<Construction>> = Key::new(
     "construction",
-    Name(&[("discrete-coons", Interior::DiscreteCoons), ("harmonic", Interior::Harmonic)]),
+    Name(&[("discrete-coons", Construction::DiscreteCoons), ("harmonic", Construction::Harmonic)]),
     "the closed formula that gives the net: no energy is minimised",
 )
 .such_as("\"discrete-coons\"")
 .over(NETS);
 pub(crate) static SEARCH_ENERGY: Key<Name<Energy>> = Key::new(
     "search-energy",
-    Name(&ENERGIES),
+    Name(&Energy::NAMED),
     "what the shape parameters minimise; left out, it is `energy`, and \"laplacian\" for harmonic nets",
 )
 .such_as("\"dirichlet\"")
 .over(&[TENSOR]);
-pub(crate) static SOLVER: Key<Name<SolverChoice>> = Key::new(
+pub(crate) static SOLVER: Key<Name<Solver>> = Key::new(
     "solver",
     Name(&[
-        ("auto", SolverChoice::Auto),
-        ("dense", SolverChoice::Dense),
-        ("separable", SolverChoice::Separable),
-        ("sparse", SolverChoice::Sparse),
+        ("auto", Solver::Of(SolverChoice::Auto)),
+        ("dense", Solver::Of(SolverChoice::Dense)),
+        ("separable", Solver::Of(SolverChoice::Separable)),
+        ("sparse", Solver::Sparse),
     ]),
     "the linear solver; \"separable\" serves Dirichlet extremals of tensor patches, \"sparse\" serves masks",
 )
@@ -219,7 +250,7 @@ pub(crate) static SOLVER: Key<Name<SolverChoice>> = Key::new(
 .over(NETS);
 pub(crate) static TOLERANCE: Key<Interval> = Key::new(
     "tolerance",
-    Interval::between(1e-12, 1e-2),
+    Interval::between(*TOLERANCES.start(), *TOLERANCES.end()),
     "the relative decrease of the area that counts as none, for energy = \"area\"; 1e-7 is quick",
 )
 .or("1e-10");

@@ -4,6 +4,7 @@ use plateau::{MAX_COORDINATE, MAX_DEGREE};
 
 use super::curve::Family;
 use super::helicoid::SHORTEST;
+use super::method::SHAPES;
 use crate::text::{Interval, Key, List, Name, Points, Reals, Section, Ways};
 
 /// Most cuts of one direction.
@@ -39,7 +40,7 @@ pub(crate) static POINTS: Key<List<Points>> = Key::new(
 );
 pub(crate) static SHAPE: Key<Reals> = Key::new(
     "shape",
-    Reals::exactly(4, Interval::between(0.0, 4.0)),
+    SHAPES,
     "the shape parameters [a1, a2, b1, b2] of the GT functions, a in u, b in v",
 )
 .hint("write shape = [a1, a2, b1, b2], a in u and b in v, each in [0, 4]: outside, the GT functions become negative");

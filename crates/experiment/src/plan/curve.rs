@@ -8,7 +8,7 @@ use serde_spanned::Spanned;
 
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
-use super::shape::shape_parameters;
+use super::shape::shape_of_curve;
 use crate::keys::curve::{BASIS, Family, POINTS, SAMPLES, SHAPE, SPAN, Sampling};
 use crate::text::{Given, Interval, PointList, Table, counted, shown};
 
@@ -61,7 +61,7 @@ fn basis(
                 table.missing("shape", help);
             }
             let Given::Sound(shape) = shape else { return None };
-            Some(CurveBasis::Gt { shape: shape_parameters(table, shape)? })
+            Some(CurveBasis::Gt { shape: shape_of_curve(table, shape)? })
         }
         Family::Aht => length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM).map(|span| CurveBasis::Aht { span }),
         Family::At => length(table, span, At::MIN_SPAN..At::SUPREMUM).map(|span| CurveBasis::At { span }),

@@ -112,10 +112,10 @@ fn energy(table: &Table<'_>, given: &Given<Energy>) -> Option<FillEnergy> {
             None
         }
         Given::Faulty => None,
-        Given::Sound(energy) => match energy.get_ref() {
+        Given::Sound(energy) => match *energy.get_ref() {
             Energy::Area => Some(FillEnergy::Area),
-            Energy::Dirichlet => Some(FillEnergy::Dirichlet),
-            Energy::Laplacian | Energy::Bending | Energy::Coons => {
+            Energy::DIRICHLET => Some(FillEnergy::Dirichlet),
+            Energy::Quadratic(_) => {
                 table.faults().clash(
                     (energy.span(), "not over loops and faces"),
                     format!(

@@ -2,15 +2,26 @@
 
 use std::ops::Range;
 
-use plateau::{Basis, Boundary, DegreeLimit, Energy, Interior, MAX_DEGREE, Mask, Method, Patch};
+use plateau::{Boundary, DegreeLimit, Energy, Family, Functional, MAX_DEGREE, Method, TriangleMask};
 
 use super::boundary::Kind;
-use super::method::Draft;
-use crate::keys::method::{METRIC_STEPS, RAISE};
+use super::draft::Draft;
+use crate::keys::method::{Construction, METRIC_STEPS, RAISE};
 use crate::text::Given;
 
 const INTERIORS: &str = "say how the interior is found by one of energy = \"dirichlet\" (or \"laplacian\", \"bending\", \
      \"coons\", \"area\"), mask = -0.25, construction = \"discrete-coons\" or \"harmonic\"";
+
+/// How a method says its interior is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Interior {
+    Extremal(Functional),
+    MetricCorrections(usize),
+    LeastArea,
+    Mask(TriangleMask),
+    DiscreteCoons,
+    Harmonic,
+}
 
 impl Draft<'_> {
     pub(super) fn interior(&self) -> Option<Interior> {
@@ -34,11 +45,16 @@ impl Draft<'_> {
         }
         let metric_steps = self.metric_steps()?;
         match (&self.energy, &self.mask, &self.construction) {
-            (Given::Sound(energy), _, _) => {
-                Some(Interior::Extremal { energy: *energy.get_ref(), metric_steps })
-            }
+            (Given::Sound(energy), _, _) => Some(match energy.get_ref() {
+                Energy::Quadratic(_) if metric_steps > 0 => Interior::MetricCorrections(metric_steps),
+                Energy::Quadratic(functional) => Interior::Extremal(*functional),
+                Energy::Area => Interior::LeastArea,
+            }),
             (_, Given::Sound(mask), _) => self.mask(*mask.get_ref(), mask.span()).map(Interior::Mask),
-            (_, _, Given::Sound(construction)) => Some(*construction.get_ref()),
+            (_, _, Given::Sound(construction)) => Some(match construction.get_ref() {
+                Construction::DiscreteCoons => Interior::DiscreteCoons,
+                Construction::Harmonic => Interior::Harmonic,
+            }),
             (Given::Absent | Given::Faulty, Given::Absent | Given::Faulty, Given::Absent | Given::Faulty) => {
                 None
             }
@@ -50,7 +66,7 @@ impl Draft<'_> {
         let is_other = match &self.energy {
             Given::Absent => true,
             Given::Faulty => false,
-            Given::Sound(energy) => *energy.get_ref() != Energy::Dirichlet,
+            Given::Sound(energy) => *energy.get_ref() != Energy::DIRICHLET,
         };
         if let Some(span) = self.metric_steps.span().filter(|_| steps > 0 && is_other) {
             self.table.faults().clash(
@@ -63,10 +79,10 @@ impl Draft<'_> {
         Some(steps)
     }
 
-    fn mask(&self, mask: Mask, span: Range<usize>) -> Option<Mask> {
+    fn mask(&self, mask: TriangleMask, span: Range<usize>) -> Option<TriangleMask> {
         let is_named = match mask {
-            Mask::Alpha(_) => false,
-            Mask::Dirichlet | Mask::Coons => true,
+            TriangleMask::Symmetric(_) => false,
+            TriangleMask::Dirichlet | TriangleMask::Coons => true,
         };
         if is_named && matches!(self.sides.kind, Some(Kind::Tensor | Kind::TwoSides)) {
             self.table.faults().conflict(
@@ -98,7 +114,7 @@ impl Draft<'_> {
     pub(super) fn fits_boundary(
         &self,
         interior: Option<&Interior>,
-        basis: Option<Basis>,
+        family: Option<Family>,
         raise: Option<usize>,
     ) -> bool {
         let harmonic = matches!(interior, Some(Interior::Harmonic));
@@ -112,7 +128,7 @@ impl Draft<'_> {
             );
             return false;
         }
-        if harmonic && self.patch_key() == Some(Patch::TbCoons) {
+        if harmonic && self.blend().is_some() {
             self.table.faults().clash(
                 (key(), "for patch = \"tensor\""),
                 format!("{} asks for a harmonic net in a TB–Coons patch", self.table.name()),
@@ -130,10 +146,10 @@ impl Draft<'_> {
             return false;
         }
         let (Some(boundary), Some(raise)) = (&self.sides.boundary, raise) else { return true };
-        self.fits_degree(boundary, basis, raise)
+        self.fits_degree(boundary, family, raise)
     }
 
-    fn fits_degree(&self, boundary: &Boundary, basis: Option<Basis>, raise: usize) -> bool {
+    fn fits_degree(&self, boundary: &Boundary, family: Option<Family>, raise: usize) -> bool {
         let (m, n) = boundary.degrees();
         if m.max(n) + raise > MAX_DEGREE {
             self.table.faults().conflict(
@@ -148,19 +164,34 @@ impl Draft<'_> {
             );
             return false;
         }
-        if basis == Some(Basis::Gt) && m.min(n) + raise < 2 {
-            self.table.faults().conflict(
-                (self.table.place(&["basis"]).unwrap_or(self.table.span()), "needs degree 2 or more"),
-                (self.sides.header.clone(), &format!("degrees {m} in u and {n} in v")),
-                format!(
-                    "{} reads a net of degree 1 in the GT basis, which begins at degree 2",
-                    self.table.name()
-                ),
-                "write raise = 1, give three points or more per side, or use basis = \"bernstein\"",
-            );
-            return false;
-        }
-        true
+        let shaped = match family {
+            Some(Family::Shaped(family)) => family,
+            Some(Family::Bernstein | Family::Triangle | Family::Aht | Family::At | Family::Complex)
+            | None => return true,
+        };
+        let least = shaped.least_degree();
+        let Some(missing) = least.checked_sub(m.min(n) + raise).filter(|&missing| missing > 0) else {
+            return true;
+        };
+        self.table.faults().conflict(
+            (
+                self.table.place(&["basis"]).unwrap_or(self.table.span()),
+                &format!("needs degree {least} or more"),
+            ),
+            (self.sides.header.clone(), &format!("degrees {m} in u and {n} in v")),
+            format!(
+                "{} reads a net of degree {} in {}, which begins at degree {least}",
+                self.table.name(),
+                m.min(n) + raise,
+                shaped.title()
+            ),
+            format!(
+                "write raise = {}, give {} points or more per side, or use basis = \"bernstein\"",
+                raise + missing,
+                ["three", "four", "five"].get(least.saturating_sub(2)).unwrap_or(&"more"),
+            ),
+        );
+        false
     }
 
     /// Whether the method is offered at the degree of its net.
@@ -169,7 +200,7 @@ impl Draft<'_> {
             return true;
         };
         let (m, n) = boundary.degrees();
-        let (given, degree) = (m.max(n), m.max(n) + method.raise);
+        let (given, degree) = (m.max(n), m.max(n) + method.raise());
         if degree <= limit.degree() {
             return true;
         }
@@ -208,7 +239,7 @@ impl Draft<'_> {
             (key.unwrap_or(self.table.span()), &format!("offered to degree {}", limit.degree())),
             (
                 self.sides.header.clone(),
-                &format!("degree {given}{}", if method.raise > 0 { " before it is raised" } else { "" }),
+                &format!("degree {given}{}", if method.raise() > 0 { " before it is raised" } else { "" }),
             ),
             format!("{} would have degree {degree}: {limit}", self.table.name()),
             format!("{lower}{instead}"),

@@ -1,6 +1,6 @@
 //! What an experiment keeps until it ends: meshes, patches, histories of searches. Each is bounded by itself; here, together.
 
-use plateau::{Helicoid, SearchMode, Shape};
+use plateau::{Helicoid, Method, SearchMode};
 
 use super::{Experiment, PatchExperiment};
 use crate::keys::output::LARGEST_MESH;
@@ -71,8 +71,11 @@ fn meshes_fit(root: &Table<'_>, methods: usize, mesh: usize) {
 }
 
 fn histories_fit(root: &Table<'_>, experiment: &PatchExperiment) {
-    let by_swarm = |shape: Shape| matches!(shape, Shape::Search(SearchMode::Pso | SearchMode::PsoPolish));
-    let swarms = experiment.methods.iter().filter(|method| by_swarm(method.shape)).count();
+    let by_swarm = |method: &&Method| match method.search_mode() {
+        Some(SearchMode::Pso | SearchMode::PsoPolish) => true,
+        Some(SearchMode::Polish) | None => false,
+    };
+    let swarms = experiment.methods.iter().filter(by_swarm).count();
     let (runs, iterations) = (experiment.search.runs, experiment.search.iterations);
     let numbers = swarms * runs * (iterations + 1);
     if numbers <= MOST_HISTORY {

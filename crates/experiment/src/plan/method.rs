@@ -3,17 +3,19 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use plateau::{Basis, Energy, Interior, Mask, Method, Patch, ReferenceTriangle, Shape, SolverChoice};
-use serde_spanned::Spanned;
+use plateau::{
+    Energy, Family, Functional, Functions, Method, MethodFault, ReferenceTriangle, ShapedFamily,
+    SolverChoice, TensorInterior, TriangleInterior, TriangleMask,
+};
 
 use super::Wanted;
 use super::boundary::{Kind, Sides};
+use super::draft::Draft;
 use super::expected::check::{Subject, wanted_of};
+use super::interior::Interior;
+use super::shape::Shape;
 use crate::diagnostic::shorten;
-use crate::keys::method::{
-    BASIS, BOUND, CONSTRUCTION, DOMAIN, ENERGY, MASK, METRIC_STEPS, NAME, PATCH, RAISE, SEARCH,
-    SEARCH_ENERGY, SHAPE, SOLVER, Searched, TENSOR, TOLERANCE, TRIANGLE,
-};
+use crate::keys::method::{BOUND, DOMAIN, NAME, SOLVER, Solver, TENSOR, TOLERANCE, TRIANGLE};
 use crate::text::{Given, Table};
 
 /// A method with its name, if that is sound; names are unique.
@@ -81,80 +83,39 @@ pub(super) fn has_only_keys_over(
     all
 }
 
-/// One method under check: its keys, read.
-pub(super) struct Draft<'t> {
-    pub(super) table: Table<'t>,
-    pub(super) sides: &'t Sides,
-    patch: Given<Patch>,
-    basis: Given<Basis>,
-    pub(super) shape: Given<Vec<Spanned<f64>>>,
-    pub(super) search: Given<Searched>,
-    pub(super) energy: Given<Energy>,
-    pub(super) raise: Given<usize>,
-    domain: Given<ReferenceTriangle>,
-    pub(super) metric_steps: Given<usize>,
-    pub(super) mask: Given<Mask>,
-    pub(super) construction: Given<Interior>,
-    pub(super) search_energy: Given<Energy>,
-    solver: Given<SolverChoice>,
-    tolerance: Given<f64>,
-    bound: Given<bool>,
+/// The numbers and choices of a method beside its functions and its interior.
+struct Settings {
+    solver: SolverChoice,
+    domain: ReferenceTriangle,
+    tolerance: f64,
+    bound: bool,
 }
 
-impl<'t> Draft<'t> {
-    fn new(table: Table<'t>, sides: &'t Sides) -> Self {
-        Self {
-            sides,
-            patch: table.take(&PATCH),
-            basis: table.take(&BASIS),
-            shape: table.take(&SHAPE),
-            search: table.take(&SEARCH),
-            energy: table.take(&ENERGY),
-            raise: table.take(&RAISE),
-            domain: table.take(&DOMAIN),
-            metric_steps: table.take(&METRIC_STEPS),
-            mask: table.take(&MASK),
-            construction: table.take(&CONSTRUCTION),
-            search_energy: table.take(&SEARCH_ENERGY),
-            solver: table.take(&SOLVER),
-            tolerance: table.take(&TOLERANCE),
-            bound: table.take(&BOUND),
-            table,
-        }
-    }
-
+impl Draft<'_> {
     fn finish(self, name: Option<String>) -> Option<(Method, Wanted)> {
-        let patch = self.patch();
-        let basis = patch.and_then(|patch| self.basis(patch));
-        let shape = basis.and_then(|basis| self.shape(basis));
+        let family = self.family();
+        let shape = family.and_then(|family| self.shape(family));
         let interior = self.interior();
         let raise = self.raise(interior.as_ref());
-        let fits = self.fits_boundary(interior.as_ref(), basis, raise);
-        let solver = self.solver(patch, interior.as_ref());
+        let fits = self.fits_boundary(interior.as_ref(), family, raise);
+        let solver = self.solver(family, interior.as_ref());
         let tolerance = self.tolerance(interior.as_ref());
-        let bound = self.bound(patch.zip(basis), interior.as_ref());
-        let search_energy = match (shape, &interior) {
+        let bound = self.bound(family, interior.as_ref());
+        let search_energy = match (&shape, &interior) {
             (Some(shape), Some(interior)) => self.search_energy(shape, interior),
             _ => None,
         };
         let domain = self.domain(interior.as_ref());
+        let searched = matches!(shape, Some(Shape::Search(_)));
+        let subject = family.filter(|_| shape.is_some()).map(|family| Subject::Patch { family, searched });
+        // What does not fit its boundary has been reported, and is not built to be refused again.
         let method = (|| {
-            Some(Method {
-                name: name?,
-                patch: patch?,
-                basis: basis?,
-                shape: shape?,
-                interior: interior?,
-                search_energy: search_energy?,
-                raise: raise?,
-                solver: solver?,
-                domain: domain?,
-                tolerance: tolerance?,
-                bound: bound?,
-            })
+            let settings =
+                Settings { solver: solver?, domain: domain?, tolerance: tolerance?, bound: bound? };
+            let functions = functions(family?, shape?, search_energy?);
+            fits.then(|| self.method(name?, (functions, interior?), &settings, raise?))?
         })();
         let fits = fits && method.as_ref().is_none_or(|method| self.fits_method(method));
-        let subject = patch.zip(shape).map(|(patch, shape)| Subject::Patch { patch, shape });
         let wanted = wanted_of(&self.table, subject);
         if !fits {
             return None;
@@ -162,64 +123,85 @@ impl<'t> Draft<'t> {
         Some((method?, wanted?))
     }
 
-    /// What the file says of the kind of patch.
-    pub(super) fn patch_key(&self) -> Option<Patch> {
-        self.patch.value().copied()
-    }
-
-    fn patch(&self) -> Option<Patch> {
-        let triangle = self.sides.kind == Some(Kind::Triangle);
-        match &self.patch {
-            Given::Absent if triangle => Some(Patch::Triangle),
-            Given::Absent => Some(Patch::Tensor),
-            Given::Faulty => None,
-            Given::Sound(_) if triangle => None,
-            Given::Sound(patch) => Some(*patch.get_ref()),
-        }
-    }
-
-    fn basis(&self, patch: Patch) -> Option<Basis> {
-        let (basis, span) = match &self.basis {
-            Given::Absent => {
-                return Some(match patch {
-                    Patch::TbCoons => Basis::Gt,
-                    Patch::Tensor | Patch::Triangle => Basis::Bernstein,
-                });
-            }
-            Given::Faulty => return None,
-            Given::Sound(basis) => (*basis.get_ref(), basis.span()),
+    /// The method in the engine's terms; what the engine finds wrong with it is a fault of the table.
+    fn method(
+        &self,
+        name: String,
+        (functions, interior): (Functions, Interior),
+        settings: &Settings,
+        raise: usize,
+    ) -> Option<Method> {
+        let made = if self.is_triangle() {
+            of_triangle(interior, settings).map(|interior| Method::triangle(name, interior))
+        } else {
+            of_tensor(interior, settings).map(|interior| Method::tensor(name, functions, interior))
         };
-        match (patch, basis) {
-            (Patch::Triangle, Basis::Gt) => {
-                self.table.faults().conflict(
-                    (span, "not for triangles"),
-                    (self.sides.header.clone(), "a triangular boundary"),
-                    format!("{} asks for the GT basis on a triangle", self.table.name()),
-                    "leave out `basis`: triangular patches are Bernstein–Bézier patches",
-                );
-                None
+        let made = made?.and_then(|method| method.raised(raise));
+        made.map_err(|fault| self.refuse(&fault)).ok()
+    }
+
+    fn refuse(&self, fault: &MethodFault) {
+        self.table.faults().clash(
+            (self.table.span(), "is no method"),
+            format!("{}: {fault}", self.table.name()),
+            "change one of its keys",
+        );
+    }
+
+    /// The family of patches that `patch`, `basis` and the boundary say.
+    fn family(&self) -> Option<Family> {
+        let blend = match &self.patch {
+            Given::Absent => None,
+            Given::Faulty => return None,
+            Given::Sound(_) if self.is_triangle() => return None,
+            Given::Sound(patch) => *patch.get_ref(),
+        };
+        let basis = match &self.basis {
+            Given::Absent => None,
+            Given::Faulty => return None,
+            Given::Sound(basis) => Some((*basis.get_ref(), basis.span())),
+        };
+        if self.is_triangle() {
+            return self.family_of_triangle(basis);
+        }
+        match (blend, basis) {
+            (None, None) => Some(Family::Bernstein),
+            (None, Some((basis, _))) => Some(basis.map_or(Family::Bernstein, Family::Shaped)),
+            (Some(blend), None) => Some(Family::Shaped(blend)),
+            (Some(blend), Some((Some(basis), _))) if basis.names().1 == blend.names().1 => {
+                Some(Family::Shaped(blend))
             }
-            (Patch::TbCoons, Basis::Bernstein) => {
+            (Some(_), Some((basis, span))) => {
                 self.table.faults().clash(
                     (span, "a TB–Coons patch uses both bases"),
-                    format!("{} asks for a TB–Coons patch in the Bernstein basis", self.table.name()),
+                    format!(
+                        "{} asks for a TB–Coons patch in {}",
+                        self.table.name(),
+                        basis.map_or("the Bernstein basis", ShapedFamily::title)
+                    ),
                     "leave out `basis`: a TB–Coons patch blends Bernstein and GT functions; for a plain Bézier patch \
                      leave out `patch`",
                 );
                 None
             }
-            (Patch::Triangle, Basis::Bernstein) | (Patch::TbCoons, Basis::Gt) | (Patch::Tensor, _) => {
-                Some(basis)
-            }
         }
+    }
+
+    fn family_of_triangle(&self, basis: Option<(Option<ShapedFamily>, Range<usize>)>) -> Option<Family> {
+        let Some((Some(basis), span)) = basis else { return Some(Family::Triangle) };
+        self.table.faults().conflict(
+            (span, "not for triangles"),
+            (self.sides.header.clone(), "a triangular boundary"),
+            format!("{} asks for {} on a triangle", self.table.name(), basis.title()),
+            "leave out `basis`: triangular patches are Bernstein–Bézier patches",
+        );
+        None
     }
 
     /// How nearly the least area is to be reached.
     fn tolerance(&self, interior: Option<&Interior>) -> Option<f64> {
-        let is_area =
-            |interior: &Interior| matches!(interior, Interior::Extremal { energy: Energy::Area, .. });
         if let (Some(span), Some(interior)) = (self.tolerance.span(), interior)
-            && !is_area(interior)
+            && *interior != Interior::LeastArea
         {
             self.table.faults().clash(
                 (span, "needs energy = \"area\""),
@@ -232,18 +214,16 @@ impl<'t> Draft<'t> {
     }
 
     /// Whether a lower bound is to be proved.
-    fn bound(&self, of: Option<(Patch, Basis)>, interior: Option<&Interior>) -> Option<bool> {
+    fn bound(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<bool> {
         let wanted = self.table.or_default(&BOUND, &self.bound)?;
         let span = self.bound.span().filter(|_| wanted);
-        let (Some(span), Some(of), Some(interior)) = (span, of, interior) else { return Some(wanted) };
-        let why = match (of, interior) {
-            ((Patch::Tensor, Basis::Bernstein), Interior::Extremal { energy: Energy::Area, .. }) => {
-                return Some(wanted);
-            }
-            ((Patch::Tensor, Basis::Bernstein), _) => "its interior is not of least area",
-            ((Patch::Tensor | Patch::TbCoons | Patch::Triangle, _), _) => {
-                "its patch is no tensor patch in the Bernstein basis"
-            }
+        let (Some(span), Some(family), Some(interior)) = (span, family, interior) else {
+            return Some(wanted);
+        };
+        let why = match (family == Family::Bernstein, *interior == Interior::LeastArea) {
+            (true, true) => return Some(wanted),
+            (true, false) => "its interior is not of least area",
+            (false, _) => "its patch is no tensor patch in the Bernstein basis",
         };
         self.table.faults().clash(
             (span, "needs energy = \"area\" in the Bernstein basis over four sides"),
@@ -256,8 +236,8 @@ impl<'t> Draft<'t> {
     /// The triangle over which an energy is taken.
     fn domain(&self, interior: Option<&Interior>) -> Option<ReferenceTriangle> {
         let is_quadratic = |interior: &Interior| match interior {
-            Interior::Extremal { energy, .. } => *energy != Energy::Area,
-            Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => false,
+            Interior::Extremal(_) | Interior::MetricCorrections(_) => true,
+            Interior::LeastArea | Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => false,
         };
         if let (Some(span), Some(false)) = (self.domain.span(), interior.map(is_quadratic)) {
             self.table.faults().clash(
@@ -270,22 +250,34 @@ impl<'t> Draft<'t> {
         self.table.or_default(&DOMAIN, &self.domain)
     }
 
-    fn solver(&self, patch: Option<Patch>, interior: Option<&Interior>) -> Option<SolverChoice> {
+    fn solver(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<SolverChoice> {
         let solver = self.table.or_default(&SOLVER, &self.solver)?;
-        let dirichlet = matches!(interior, Some(Interior::Extremal { energy: Energy::Dirichlet, .. }));
+        let dirichlet = matches!(
+            interior,
+            Some(Interior::Extremal(Functional::Dirichlet) | Interior::MetricCorrections(_))
+        );
+        let separates = match family {
+            Some(Family::Bernstein) => true,
+            Some(Family::Shaped(family)) => !family.is_blend(),
+            Some(Family::Triangle | Family::Aht | Family::At | Family::Complex) | None => false,
+        };
         let masked = matches!(interior, Some(Interior::Mask(_)));
-        let (fits, needs) = match solver {
-            SolverChoice::Auto | SolverChoice::Dense => (true, ""),
-            SolverChoice::Separable => (
-                dirichlet && patch == Some(Patch::Tensor),
+        let (choice, fits, needs) = match solver {
+            Solver::Of(choice @ (SolverChoice::Auto | SolverChoice::Dense)) => (choice, true, ""),
+            Solver::Of(SolverChoice::Separable) => (
+                SolverChoice::Separable,
+                dirichlet && separates,
                 "the separable solver serves energy = \"dirichlet\" on tensor patches only",
             ),
-            SolverChoice::Sparse => {
-                (masked, "the sparse solver serves masks only: extremals couple all points")
-            }
+            Solver::Sparse => (
+                SolverChoice::Auto,
+                masked,
+                "the sparse solver serves masks only: extremals couple all points",
+            ),
         };
-        let Some(span) = self.solver.span().filter(|_| !fits && patch.is_some() && interior.is_some()) else {
-            return Some(solver);
+        let Some(span) = self.solver.span().filter(|_| !fits && family.is_some() && interior.is_some())
+        else {
+            return Some(choice);
         };
         let said = self.table.faults().excerpt(&span);
         self.table.faults().clash(
@@ -296,10 +288,12 @@ impl<'t> Draft<'t> {
         None
     }
 
-    fn search_energy(&self, shape: Shape, interior: &Interior) -> Option<Energy> {
+    fn search_energy(&self, shape: &Shape, interior: &Interior) -> Option<Energy> {
         let natural = match interior {
-            Interior::Extremal { energy, .. } => Some(*energy),
-            Interior::Harmonic => Some(Energy::Laplacian),
+            Interior::Extremal(energy) => Some(Energy::Quadratic(*energy)),
+            Interior::MetricCorrections(_) => Some(Energy::DIRICHLET),
+            Interior::LeastArea => Some(Energy::Area),
+            Interior::Harmonic => Some(Energy::LAPLACIAN),
             Interior::Mask(_) | Interior::DiscreteCoons => None,
         };
         let is_searched = matches!(shape, Shape::Search(_));
@@ -322,7 +316,43 @@ impl<'t> Draft<'t> {
                 );
                 None
             }
-            Given::Absent => Some(natural.unwrap_or(Energy::Dirichlet)),
+            Given::Absent => Some(natural.unwrap_or(Energy::DIRICHLET)),
         }
     }
+}
+
+/// The functions of a tensor patch; of a triangle, which has one kind, they are not asked for.
+fn functions(family: Family, shape: Shape, energy: Energy) -> Functions {
+    match (family, shape) {
+        (Family::Shaped(family), Shape::Search(mode)) => Functions::Searched { family, mode, energy },
+        (_, Shape::Fixed(shape)) => Functions::Shaped(shape),
+        (_, Shape::Search(_) | Shape::None) => Functions::Bernstein,
+    }
+}
+
+/// The interior of a tensor net; none for a mask of triangles, which has been reported.
+fn of_tensor(interior: Interior, settings: &Settings) -> Option<TensorInterior> {
+    let &Settings { solver, tolerance, bound, .. } = settings;
+    Some(match interior {
+        Interior::Extremal(energy) => TensorInterior::Extremal { energy, solver },
+        Interior::MetricCorrections(steps) => TensorInterior::MetricCorrections { steps, solver },
+        Interior::LeastArea => TensorInterior::LeastArea { tolerance, bound },
+        Interior::Mask(TriangleMask::Symmetric(alpha)) => TensorInterior::Mask { alpha },
+        Interior::Mask(TriangleMask::Dirichlet | TriangleMask::Coons) => return None,
+        Interior::DiscreteCoons => TensorInterior::DiscreteCoons,
+        Interior::Harmonic => TensorInterior::Harmonic,
+    })
+}
+
+/// The interior of a triangular net; none for a harmonic one, which has been reported.
+fn of_triangle(interior: Interior, settings: &Settings) -> Option<TriangleInterior> {
+    let &Settings { domain, tolerance, .. } = settings;
+    Some(match interior {
+        Interior::Extremal(energy) => TriangleInterior::Extremal { energy, domain },
+        Interior::MetricCorrections(steps) => TriangleInterior::MetricCorrections { steps, domain },
+        Interior::LeastArea => TriangleInterior::LeastArea { tolerance },
+        Interior::Mask(mask) => TriangleInterior::Mask(mask),
+        Interior::DiscreteCoons => TriangleInterior::DiscreteCoons,
+        Interior::Harmonic => return None,
+    })
 }

@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use bases::{Aht, At};
-use plateau::{MIN_SIZE, NetBasis, OrderSix, OwnNet};
+use plateau::{MIN_SIZE, NetBasis, OrderSix, OwnNet, ShapedFamily};
 use serde_spanned::Spanned;
 use surfaces::{Net, Point};
 
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
-use super::shape::shape_parameters;
+use super::shape::fixed_shape;
 use crate::keys::curve::Family;
 use crate::keys::helicoid::SHORTEST;
 use crate::keys::net::{BASIS, BOUNDS, POINTS, SHAPE, U_CUTS, U_SPAN, V_CUTS, V_SPAN};
@@ -49,7 +49,7 @@ pub(super) fn net(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(OwnNet
                 );
             }
             let Given::Sound(shape) = &shape else { return None };
-            shape_parameters(table, shape).filter(|_| sized).map(|shape| NetBasis::Gt { shape })
+            fixed_shape(table, ShapedFamily::Gt, shape).filter(|_| sized).map(NetBasis::Shaped)
         }
         Family::Aht => order_six(table, &rows, counts, &directions, Aht::SUPREMUM).map(NetBasis::Aht),
         Family::At => order_six(table, &rows, counts, &directions, At::SUPREMUM).map(NetBasis::At),

@@ -9,6 +9,6 @@ pub struct PatchExperiment {
     pub boundary: Boundary,
     /// At least one; names are unique.
     pub methods: Vec<Method>,
-    /// How shape parameters are searched, for the methods with [`Shape::Search`](plateau::Shape::Search).
+    /// How shape parameters are searched, for the methods with [`Functions::Searched`](plateau::Functions::Searched).
     pub search: Search,
 }

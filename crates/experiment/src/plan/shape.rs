@@ -1,14 +1,25 @@
 //! Shape parameters: given, searched, or none.
 
-use plateau::{Basis, Energy, SearchMode, Shape};
+use plateau::{Energy, Family, FixedShape, SearchMode, ShapedFamily};
 use serde_spanned::Spanned;
 
-use super::method::Draft;
+use super::draft::Draft;
 use crate::keys::method::Searched;
 use crate::text::{Given, Table};
 
+/// What a method says of its shape parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// Its functions have none.
+    None,
+    /// They are given.
+    Fixed(FixedShape),
+    /// They are searched.
+    Search(SearchMode),
+}
+
 impl Draft<'_> {
-    pub(super) fn shape(&self, basis: Basis) -> Option<Shape> {
+    pub(super) fn shape(&self, family: Family) -> Option<Shape> {
         let mode = match &self.search {
             Given::Absent => None,
             Given::Faulty => return None,
@@ -18,9 +29,11 @@ impl Draft<'_> {
                 Searched::By(mode) => Some(*mode),
             },
         };
-        match basis {
-            Basis::Bernstein => self.no_shape(mode),
-            Basis::Gt => self.shape_of_gt(mode),
+        match family {
+            Family::Shaped(family) => self.shape_of(family, mode),
+            Family::Bernstein | Family::Triangle | Family::Aht | Family::At | Family::Complex => {
+                self.no_shape(mode)
+            }
         }
     }
 
@@ -28,9 +41,7 @@ impl Draft<'_> {
     fn suitable(&self) -> SearchMode {
         match self.energy.value() {
             Some(Energy::Area) => SearchMode::Polish,
-            Some(Energy::Dirichlet | Energy::Laplacian | Energy::Bending | Energy::Coons) | None => {
-                SearchMode::PsoPolish
-            }
+            Some(Energy::Quadratic(_)) | None => SearchMode::PsoPolish,
         }
     }
 
@@ -49,7 +60,7 @@ impl Draft<'_> {
         None
     }
 
-    fn shape_of_gt(&self, mode: Option<SearchMode>) -> Option<Shape> {
+    fn shape_of(&self, family: ShapedFamily, mode: Option<SearchMode>) -> Option<Shape> {
         match (&self.shape, mode) {
             (Given::Sound(shape), Some(_)) => {
                 let search = self.search.span().unwrap_or(self.table.span());
@@ -63,7 +74,7 @@ impl Draft<'_> {
             }
             (Given::Faulty, _) => None,
             (Given::Absent, Some(mode)) => Some(Shape::Search(mode)),
-            (Given::Sound(shape), None) => shape_parameters(&self.table, shape).map(Shape::Fixed),
+            (Given::Sound(shape), None) => fixed_shape(&self.table, family, shape).map(Shape::Fixed),
             (Given::Absent, None) => {
                 self.table.missing(
                     "shape",
@@ -76,13 +87,42 @@ impl Draft<'_> {
     }
 }
 
-/// `N` shape parameters; no pair of them is (0, 0).
-pub(super) fn shape_parameters<const N: usize>(
+/// The shape of a family with these parameters.
+pub(super) fn fixed_shape(
     table: &Table<'_>,
+    family: ShapedFamily,
     numbers: &Spanned<Vec<Spanned<f64>>>,
-) -> Option<[f64; N]> {
+) -> Option<FixedShape> {
+    if !has_no_zero_pair(table, numbers) {
+        return None;
+    }
+    let values = numbers.get_ref().iter().map(|number| *number.get_ref()).collect();
+    let made = FixedShape::new(family, values);
+    made.map_err(|error| {
+        let (from, to) = family.range();
+        table.faults().inadmissible(
+            numbers.span(),
+            format!("`shape` of {}: {error}", table.name()),
+            format!("{} numbers in [{from}, {to}]", family.parameters().len()),
+            format!("give {}", family.parameters().join(", ")),
+        );
+    })
+    .ok()
+}
+
+/// The two shape parameters of a curve in the GT basis, which are not both 0.
+pub(super) fn shape_of_curve(table: &Table<'_>, numbers: &Spanned<Vec<Spanned<f64>>>) -> Option<[f64; 2]> {
+    if !has_no_zero_pair(table, numbers) {
+        return None;
+    }
+    let values: Vec<f64> = numbers.get_ref().iter().map(|number| *number.get_ref()).collect();
+    values.try_into().ok()
+}
+
+/// Whether no pair of shape parameters is (0, 0); what is wrong is reported.
+fn has_no_zero_pair(table: &Table<'_>, numbers: &Spanned<Vec<Spanned<f64>>>) -> bool {
     let numbers = numbers.get_ref();
-    for (k, pair) in numbers.chunks(2).enumerate() {
+    for (k, pair) in numbers.chunks_exact(2).enumerate() {
         if pair.iter().all(|number| *number.get_ref() == 0.0) {
             table.faults().inadmissible(
                 pair[0].span().start..pair[pair.len() - 1].span().end,
@@ -90,9 +130,8 @@ pub(super) fn shape_parameters<const N: usize>(
                 ["both of the first pair are zero", "both of the second pair are zero"][k.min(1)],
                 "make one of the two positive: at (0, 0) the GT functions are linearly dependent",
             );
-            return None;
+            return false;
         }
     }
-    let values: Vec<f64> = numbers.iter().map(|number| *number.get_ref()).collect();
-    values.try_into().ok()
+    true
 }

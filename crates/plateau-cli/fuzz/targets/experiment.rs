@@ -4,7 +4,7 @@
 
 use experiment::{Experiment, Options, Plan};
 use libfuzzer_sys::fuzz_target;
-use plateau::{Basis, Boundary, Energy, Interior, Shape};
+use plateau::{Boundary, Filling, TensorInterior, TriangleInterior};
 use record::{ResultFile, StoredResult};
 
 fuzz_target!(|bytes: &[u8]| {
@@ -41,17 +41,19 @@ fn is_small(plan: &Plan) -> bool {
         && plan.output.mesh <= 12
         && patch.methods.len() <= 3
         && patch.methods.iter().all(|method| {
-            let extremal = matches!(
-                method.interior,
-                Interior::Extremal {
-                    energy: Energy::Dirichlet | Energy::Laplacian | Energy::Coons,
-                    metric_steps: 0
-                } | Interior::DiscreteCoons
-                    | Interior::Mask(_)
-            );
-            extremal
-                && method.raise <= 2
-                && matches!(method.basis, Basis::Bernstein | Basis::Gt)
-                && !matches!(method.shape, Shape::Search(_))
+            let is_linear = match method.filling() {
+                Filling::Tensor { functions, interior } => {
+                    let linear = matches!(
+                        interior,
+                        TensorInterior::Extremal { .. } | TensorInterior::DiscreteCoons | TensorInterior::Mask { .. }
+                    );
+                    linear && functions.searched().is_none()
+                }
+                Filling::Triangle(interior) => matches!(
+                    interior,
+                    TriangleInterior::Extremal { .. } | TriangleInterior::DiscreteCoons | TriangleInterior::Mask(_)
+                ),
+            };
+            is_linear && method.raise() <= 2
         })
 }

@@ -41,6 +41,15 @@ impl Boundary {
         }
     }
 
+    /// How many sides there are, in words.
+    pub(crate) fn sides(&self) -> &'static str {
+        match self {
+            Self::Tensor(_) => "four",
+            Self::Opposite(_) => "two opposite ones",
+            Self::Triangle(_) => "three",
+        }
+    }
+
     /// All control points given, side by side.
     fn points(&self) -> Vec<Point> {
         let sides: &[Vec<Point>] = match self {

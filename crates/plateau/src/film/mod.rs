@@ -103,7 +103,7 @@ impl Film {
         all.extend(warnings);
         let minimised = match energy {
             FillEnergy::Area => Energy::Area,
-            FillEnergy::Dirichlet => Energy::Dirichlet,
+            FillEnergy::Dirichlet => Energy::DIRICHLET,
         };
         let solved = Solved {
             surface: Surface::Complex(complex),

@@ -2,60 +2,35 @@
 //! border and stay well conditioned.
 //!
 //! With F the patch over the discrete Coons net of the sides, the extremal is `F + Σ c_kl f_k(u) g_l(v)`, f and g the bubbles of
-//! the family ([`Lobatto`], [`GtBubbles`]); the control points of `f_k` are exact, so the interior of the net is that of
+//! the family ([`ShapedFamily::bubbles`](surfaces::ShapedFamily::bubbles)); the control points of `f_k` are exact, so the interior of the net is that of
 //! F plus `M c Mᵀ`.
 
 use std::sync::Arc;
 
-use bases::{Basis, GtBubbles, Lobatto, Matrix};
+use bases::{Basis, Lobatto, Matrix};
 use energy::Functional;
 use solve::{ProductSystem, ProductTerm, SampledFunctions};
-use surfaces::{Jet, Patch as _, Point, Product, TensorPatch, discrete_coons};
+use surfaces::{Patch as _, Product, TensorPatch, discrete_coons, polynomial_bubbles};
 
-use crate::{Basis as Kind, Method, MethodError, Patch, SolveFigures};
+use crate::{FixedShape, MethodError, SolveFigures};
 
 /// Largest loss at which a part of the extremal is kept: rounding of its control points as a share of the part itself.
 const LARGEST_LOSS: f64 = 1e-2;
 
-/// The products of bubbles that span what is free in a patch of this method: those of its products that do not vanish there.
-fn products(
-    method: &Method,
-    (m, n): (usize, usize),
-    shape: Option<[f64; 4]>,
-) -> Result<Vec<Product>, MethodError> {
-    let polynomials = |degree: usize| -> Result<Arc<dyn Basis>, MethodError> {
-        Ok(Arc::new(Lobatto::new(degree - 1, (0.0, 1.0))?))
-    };
-    let gt = |degree: usize, shape: [f64; 2]| -> Result<Arc<dyn Basis>, MethodError> {
-        Ok(Arc::new(GtBubbles::new(degree, shape)?))
-    };
-    Ok(match (method.patch, method.basis, shape) {
-        // B − ℓ is B in the interior, and ℓ ⊗ ℓ nothing.
-        (Patch::TbCoons, _, Some([a1, a2, b1, b2])) => vec![
-            Product { u: polynomials(m)?, v: gt(n, [b1, b2])? },
-            Product { u: gt(m, [a1, a2])?, v: polynomials(n)? },
-        ],
-        (Patch::Tensor, Kind::Gt, Some([a1, a2, b1, b2])) => {
-            vec![Product { u: gt(m, [a1, a2])?, v: gt(n, [b1, b2])? }]
-        }
-        (Patch::TbCoons, _, None) | (Patch::Tensor | Patch::Triangle, _, _) => {
-            vec![Product { u: polynomials(m)?, v: polynomials(n)? }]
-        }
-    })
-}
-
-/// `patch` with its interior at the extremal of `functional`; `shape` is that of its families.
+/// `patch` with its interior at the extremal of `functional`; `shape` is that of its functions.
 pub(crate) fn extremal(
     patch: &TensorPatch,
     functional: Functional,
-    method: &Method,
-    shape: Option<[f64; 4]>,
+    shape: Option<&FixedShape>,
 ) -> Result<(TensorPatch, SolveFigures), MethodError> {
     let net = patch.net();
     let (m, n) = net.degrees();
     let [u0, u1, v0, v1] = net.boundary();
     let start = patch.with_net(discrete_coons(&u0, &u1, &v0, &v1)?)?;
-    let products = products(method, (m, n), shape)?;
+    let products = match shape {
+        Some(shape) => shape.family().bubbles((m, n), shape.parameters())?,
+        None => vec![Product { u: polynomial_bubbles(m)?, v: polynomial_bubbles(n)? }],
+    };
     let u = sampled(products.iter().map(|p| &p.u), m, functional)?;
     let v = sampled(products.iter().map(|p| &p.v), n, functional)?;
     let terms: Vec<ProductTerm> = functional
@@ -68,7 +43,7 @@ pub(crate) fn extremal(
     let system = ProductSystem::new([&u.weights, &v.weights], &pairs, &terms)?;
     let jets = start.jets(&u.nodes, &v.nodes);
     let solution =
-        system.solve(|a, b| jets.iter().flat_map(|jet| <[f64; 3]>::from(derivative(jet, a, b))).collect())?;
+        system.solve(|a, b| jets.iter().flat_map(|jet| <[f64; 3]>::from(jet.derivative(a, b))).collect())?;
     let (interior, left_out) = control_points(&solution.x, &u, &v)?;
     let mut coordinates = start.net().coordinates();
     for (x, free) in coordinates.iter_mut().zip(&interior) {
@@ -84,19 +59,6 @@ pub(crate) fn extremal(
         metric: None,
     };
     Ok((patch.with_net(net.with_coordinates(&coordinates)?)?, figures))
-}
-
-/// `∂_u^a ∂_v^b` of a patch, a + b at most 2.
-pub(crate) fn derivative(jet: &Jet, a: usize, b: usize) -> Point {
-    match (a, b) {
-        (0, 0) => jet.point,
-        (1, 0) => jet.u,
-        (0, 1) => jet.v,
-        (2, 0) => jet.uu,
-        (1, 1) => jet.uv,
-        (0, 2) => jet.vv,
-        _ => unreachable!("no energy here has derivatives beyond the second"),
-    }
 }
 
 /// The bubbles of one direction at the points of a rule, with their control points.

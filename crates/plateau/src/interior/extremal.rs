@@ -1,12 +1,12 @@
 //! The extremal of a quadratic energy with the boundary net fixed.
 
 use bases::{Basis, Matrix};
-use energy::{MetricForm, QuadraticForm};
+use energy::{Functional, MetricForm, QuadraticForm};
 use solve::{Partition, Samples, Separable, solve_partitioned};
 use surfaces::{Net, Product, TensorPatch};
 
 use super::bubbles;
-use crate::{Energy, Interior, Method, MethodError, SolveFigures, SolverChoice};
+use crate::{FixedShape, MethodError, SolveFigures, SolverChoice};
 
 /// Degree from which the separable solver is both faster than a dense one and more accurate.
 const SEPARABLE_FROM: usize = 7;
@@ -27,40 +27,39 @@ fn prefers_bubbles(net: &Net, separates: bool) -> bool {
     m.min(n) >= 2 && m.max(n) >= if separates { BUBBLES_FROM.0 } else { BUBBLES_FROM.1 }
 }
 
-/// `patch` with its free control points at the extremal of the method's energy, then its metric steps (TRI Prop. 5): each
-/// the extremal of the Dirichlet energy in the metric of the patch before.
-pub(crate) fn solve(
+/// Steps of the metric correction (TRI Prop. 5) from the Dirichlet extremal: each the extremal of the Dirichlet energy in the metric of
+/// the patch before.
+pub(crate) fn corrected(
     patch: &TensorPatch,
-    method: &Method,
-    shape: Option<[f64; 4]>,
+    steps: usize,
+    solver: SolverChoice,
+    shape: Option<&FixedShape>,
 ) -> Result<(TensorPatch, SolveFigures), MethodError> {
-    let (mut solved, mut figures) = by_energy(patch, method, shape)?;
-    if let Interior::Extremal { metric_steps, .. } = method.interior {
-        for _ in 0..metric_steps {
-            let metric = MetricForm::of_tensor(&solved, &solved)?;
-            (solved, figures) = by_matrix(patch, metric.form.matrix())?;
-            figures.metric = Some(metric.energy(&solved.net().coordinates()));
-        }
+    let (mut solved, mut figures) = solve(patch, Functional::Dirichlet, solver, shape)?;
+    for _ in 0..steps {
+        let metric = MetricForm::of_tensor(&solved, &solved)?;
+        (solved, figures) = by_matrix(patch, metric.form.matrix())?;
+        figures.metric = Some(metric.energy(&solved.net().coordinates()));
     }
     Ok((solved, figures))
 }
 
-/// The extremal of the method's energy: `Q_ff p = −Q_fb P_b` for x, y, z.
-fn by_energy(
+/// `patch` with its free control points at the extremal of `functional`: `Q_ff p = −Q_fb P_b` for x, y, z; `shape` is that of its functions.
+pub(crate) fn solve(
     patch: &TensorPatch,
-    method: &Method,
-    shape: Option<[f64; 4]>,
+    functional: Functional,
+    solver: SolverChoice,
+    shape: Option<&FixedShape>,
 ) -> Result<(TensorPatch, SolveFigures), MethodError> {
-    let energy = method.extremal_energy().ok_or(MethodError::Unavailable { what: "this construction" })?;
-    let functional = energy.functional().ok_or(MethodError::Unavailable { what: "the area here" })?;
     let net = patch.net();
-    let separates = energy == Energy::Dirichlet && patch.products().len() == 1;
-    let separated = match method.solver {
+    let separates = functional == Functional::Dirichlet && patch.products().len() == 1;
+    let separated = match solver {
         SolverChoice::Auto => separates && prefers_separable(net),
-        choice => choice == SolverChoice::Separable,
+        SolverChoice::Dense => false,
+        SolverChoice::Separable => true,
     };
-    if prefers_bubbles(net, separates) && method.solver != SolverChoice::Dense {
-        return bubbles::extremal(patch, functional, method, shape);
+    if prefers_bubbles(net, separates) && solver != SolverChoice::Dense {
+        return bubbles::extremal(patch, functional, shape);
     }
     if let ([product], true) = (patch.products(), separated) {
         return by_separation(patch, product);
@@ -68,7 +67,7 @@ fn by_energy(
     let matrix = QuadraticForm::of(functional, patch)?.matrix();
     by_matrix(patch, &matrix).map_err(|error| match error {
         // The dense solver asked for by name where the separable one would do: its own error says so.
-        MethodError::Solve(error) if energy != Energy::Dirichlet || patch.products().len() > 1 => {
+        MethodError::Solve(error) if functional != Functional::Dirichlet || patch.products().len() > 1 => {
             let (m, n) = net.degrees();
             MethodError::of_system(error, m.max(n))
         }

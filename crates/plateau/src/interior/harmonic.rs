@@ -96,7 +96,7 @@ fn known_points(boundary: &Boundary, m: usize, n: usize) -> Result<Vec<Option<Po
             }
         }
         Boundary::Triangle(_) => {
-            return Err(MethodError::Unavailable { what: "a harmonic triangular net" });
+            return Err(MethodError::Sides { needs: "two opposite sides or four", given: boundary.sides() });
         }
     };
     for (i, row) in [0, m].into_iter().zip(rows.into_iter().flatten()) {

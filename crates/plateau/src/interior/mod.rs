@@ -7,4 +7,4 @@ mod harmonic;
 mod mask;
 pub(crate) mod triangle;
 
-pub(crate) use construct::{boundary_net, construct, with_shape};
+pub(crate) use construct::{boundary_net, construct};

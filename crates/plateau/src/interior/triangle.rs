@@ -1,40 +1,42 @@
 //! Triangular patches over three boundary polygons (TRI, COONS).
 
-use energy::{DenseForm, MetricForm, ReferenceTriangle};
+use energy::{DenseForm, Functional, MetricForm, ReferenceTriangle};
 use solve::{Partition, solve_partitioned};
 use surfaces::{TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
-use super::mask;
 use crate::{
-    AreaExtremal, Energy, Interior, Mask, Method, MethodError, Progress, SolveFigures, Solved, Surface,
-    TriangleBoundary, least_area_triangle_raised,
+    AreaExtremal, Method, MethodError, Progress, SolveFigures, Solved, Surface, TriangleBoundary,
+    TriangleInterior, least_area_triangle_raised,
 };
 
 /// Runs one method over three sides.
 pub(crate) fn solve(
     method: &Method,
+    interior: TriangleInterior,
     sides: &TriangleBoundary,
     at_hand: &[&Solved],
     progress: &dyn Progress,
 ) -> Result<(TrianglePatch, Option<SolveFigures>, Option<AreaExtremal>), MethodError> {
     let own = sides.net()?;
-    let net = own.raised(method.raise)?;
-    let (patch, figures) = match method.interior {
-        Interior::Extremal { energy: Energy::Area, .. } => {
+    let net = own.raised(method.raise())?;
+    let (patch, figures) = match interior {
+        TriangleInterior::LeastArea { tolerance } => {
             let starts = at_hand_of(&net, at_hand)?;
-            progress.begin(&format!("least area of {}", method.name), None);
-            let found = least_area_triangle_raised(&own, method.raise, &starts, method.tolerance, progress);
+            progress.begin(&format!("least area of {}", method.name()), None);
+            let found = least_area_triangle_raised(&own, method.raise(), &starts, tolerance, progress);
             progress.end();
             let (patch, found) = found?;
             return Ok((patch, None, Some(found)));
         }
-        Interior::Extremal { energy, metric_steps } => extremal(net, energy, method.domain, metric_steps)?,
-        Interior::Mask(mask) => by_mask(&net, mask)?,
-        Interior::DiscreteCoons => {
+        TriangleInterior::Extremal { energy, domain } => extremal(net, energy, domain, 0)?,
+        TriangleInterior::MetricCorrections { steps, domain } => {
+            extremal(net, Functional::Dirichlet, domain, steps)?
+        }
+        TriangleInterior::Mask(mask) => by_mask(&net, mask)?,
+        TriangleInterior::DiscreteCoons => {
             let [ab, bc, ca] = net.boundary();
             (TrianglePatch::new(discrete_coons_triangle(&ab, &bc, &ca)?)?, SolveFigures::EXPLICIT)
         }
-        Interior::Harmonic => return Err(MethodError::Unavailable { what: "a harmonic triangular net" }),
     };
     Ok((patch, Some(figures), None))
 }
@@ -56,11 +58,10 @@ fn at_hand_of(net: &TriangleNet, at_hand: &[&Solved]) -> Result<Vec<TrianglePatc
 /// energy in the metric of the patch before.
 fn extremal(
     net: TriangleNet,
-    energy: Energy,
+    functional: Functional,
     domain: ReferenceTriangle,
     metric_steps: usize,
 ) -> Result<(TrianglePatch, SolveFigures), MethodError> {
-    let functional = energy.functional().ok_or(MethodError::Unavailable { what: "the area here" })?;
     let (mut patch, mut figures) =
         minimise(&DenseForm::of_triangle_over(domain, functional, net.degree())?, &net)?;
     for _ in 0..metric_steps {
@@ -81,19 +82,14 @@ fn minimise(form: &DenseForm, net: &TriangleNet) -> Result<(TrianglePatch, Solve
     Ok((TrianglePatch::new(net.with_coordinates(&solution.x)?)?, figures))
 }
 
-fn by_mask(net: &TriangleNet, mask: Mask) -> Result<(TrianglePatch, SolveFigures), MethodError> {
-    let stencil = match mask {
-        Mask::Alpha(alpha) => TriangleMask::Symmetric(alpha),
-        Mask::Dirichlet => TriangleMask::Dirichlet,
-        Mask::Coons => TriangleMask::Coons,
-    };
-    if stencil.is_singular(net.degree()) {
+fn by_mask(net: &TriangleNet, mask: TriangleMask) -> Result<(TrianglePatch, SolveFigures), MethodError> {
+    if mask.is_singular(net.degree()) {
         return Err(MethodError::SingularMask { degree: net.degree() });
     }
-    let solved = mask::solve(&stencil.system(net)?, net.fixed(), &net.coordinates());
+    let solved = super::mask::solve(&mask.system(net)?, net.fixed(), &net.coordinates());
     let (coordinates, figures) = match mask {
-        Mask::Alpha(alpha) => solved.map_err(|error| error.of_mask(alpha, net.degree()))?,
-        Mask::Dirichlet | Mask::Coons => solved?,
+        TriangleMask::Symmetric(alpha) => solved.map_err(|error| error.of_mask(alpha, net.degree()))?,
+        TriangleMask::Dirichlet | TriangleMask::Coons => solved?,
     };
     Ok((TrianglePatch::new(net.with_coordinates(&coordinates)?)?, figures))
 }

@@ -4,19 +4,17 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use energy::area_derivative;
 use optim::{Objective, Smooth};
-use surfaces::{Net, TensorPatch};
+use surfaces::{Net, ShapedFamily, TensorPatch};
 
-use super::shape_derivative::ShapeDerivatives;
-use crate::interior::with_shape;
-use crate::{Method, MethodError, Progress, least_area};
+use crate::{MethodError, Progress, least_area};
 
 /// `A(α)`, the area of the area extremal at shape α; its gradient is the partial derivative of the area by the shape, the net
 /// held (the envelope theorem).
 pub(super) struct LeastArea<'a> {
     net: Net,
-    method: Method,
+    family: ShapedFamily,
+    tolerance: f64,
     watch: Watch<'a>,
-    derivatives: ShapeDerivatives,
 }
 
 /// Counts the minimisations; passes on who wants them to end, not their steps.
@@ -38,41 +36,41 @@ impl Progress for Watch<'_> {
 }
 
 impl<'a> LeastArea<'a> {
-    pub(super) fn new(net: &Net, method: &Method, progress: &'a dyn Progress) -> Result<Self, MethodError> {
-        let derivatives = ShapeDerivatives::new(method.patch, net.degrees())?;
+    pub(super) fn new(net: &Net, family: ShapedFamily, tolerance: f64, progress: &'a dyn Progress) -> Self {
         let watch = Watch { progress, found: AtomicU64::new(0) };
-        Ok(Self { net: net.clone(), method: method.clone(), watch, derivatives })
+        Self { net: net.clone(), family, tolerance, watch }
     }
 
     /// The extremal at one shape and its area.
-    pub(super) fn extremal(&self, shape: [f64; 4]) -> Result<(TensorPatch, energy::Integral), MethodError> {
-        let patch = with_shape(self.net.clone(), &self.method, Some(shape))?;
-        let found = least_area(&patch, self.method.tolerance, &self.watch);
+    pub(super) fn extremal(&self, shape: &[f64]) -> Result<(TensorPatch, energy::Integral), MethodError> {
+        let patch = self.family.patch(self.net.clone(), shape)?;
+        let found = least_area(&patch, self.tolerance, &self.watch);
         self.watch.end();
         let (patch, found) = found?;
         Ok((patch, found.area))
     }
+}
 
-    /// The derivative of the area of `patch` by shape parameter `k`, the net held, by the rule of `points`² points.
-    pub(super) fn derivative(
-        &self,
-        patch: &TensorPatch,
-        k: usize,
-        points: usize,
-    ) -> Result<f64, MethodError> {
-        let direction = self.derivatives.of(patch, k)?;
-        Ok(area_derivative(patch, &direction, points)?)
+/// The derivatives of the area of `patch`, one of `family`, by the coordinates of its shape, the net held, by the rule of `points`² points.
+pub(super) fn derivatives(
+    family: ShapedFamily,
+    patch: &TensorPatch,
+    points: usize,
+) -> Result<[f64; 4], MethodError> {
+    let mut by_coordinates = [0.0; 4];
+    for (derivative, direction) in by_coordinates.iter_mut().zip(&family.derivatives(patch)?) {
+        *derivative = area_derivative(patch, direction, points)?;
     }
+    Ok(by_coordinates)
 }
 
 impl Objective for LeastArea<'_> {
     fn dimension(&self) -> usize {
-        4
+        self.family.parameters().len()
     }
 
     fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        for (point, value) in points.chunks_exact(4).zip(values) {
-            let shape = std::array::from_fn(|k| point[k]);
+        for (shape, value) in points.chunks_exact(Objective::dimension(self)).zip(values) {
             *value = self.extremal(shape).map_or(f64::NAN, |(_, area)| area.value);
         }
     }
@@ -80,15 +78,13 @@ impl Objective for LeastArea<'_> {
 
 impl Smooth for LeastArea<'_> {
     fn dimension(&self) -> usize {
-        4
+        self.family.parameters().len()
     }
 
-    fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        let shape = std::array::from_fn(|k| point[k]);
+    fn value_and_gradient(&self, shape: &[f64], gradient: &mut [f64]) -> f64 {
         let found = self.extremal(shape).and_then(|(patch, area)| {
-            for (k, g) in gradient.iter_mut().enumerate() {
-                *g = self.derivative(&patch, k, area.points)?;
-            }
+            let by_coordinates = derivatives(self.family, &patch, area.points)?;
+            gradient.copy_from_slice(&self.family.by_parameters(by_coordinates));
             Ok(area.value)
         });
         found.unwrap_or(f64::NAN)

@@ -3,11 +3,10 @@
 use bases::GaussLegendre;
 use energy::Functional;
 use optim::{Objective, Smooth};
-use surfaces::{Jet, Net, Patch as _, Point, TensorPatch};
+use surfaces::{Jet, Net, Patch as _, Point, ShapedFamily, TensorPatch};
 
-use super::shape_derivative::ShapeDerivatives;
-use crate::interior::{bubbles, with_shape};
-use crate::{Method, MethodError};
+use crate::interior::bubbles;
+use crate::{FixedShape, MethodError};
 
 /// `J(α) = min E(P; α)` over the free points, E a quadratic energy: solved for in bubbles and integrated over the patch found.
 ///
@@ -15,20 +14,19 @@ use crate::{Method, MethodError};
 /// the shape, the net held (the envelope theorem): `2 Σ c ∫ ∂S · ∂(∂S/∂α_k)`.
 pub(super) struct Minima {
     net: Net,
-    method: Method,
+    family: ShapedFamily,
     functional: Functional,
-    derivatives: ShapeDerivatives,
 }
 
 impl Minima {
-    pub(super) fn new(net: &Net, method: &Method, functional: Functional) -> Result<Self, MethodError> {
-        let derivatives = ShapeDerivatives::new(method.patch, net.degrees())?;
-        Ok(Self { net: net.clone(), method: method.clone(), functional, derivatives })
+    pub(super) fn new(net: &Net, family: ShapedFamily, functional: Functional) -> Self {
+        Self { net: net.clone(), family, functional }
     }
 
-    fn extremal(&self, shape: [f64; 4]) -> Result<TensorPatch, MethodError> {
-        let patch = with_shape(self.net.clone(), &self.method, Some(shape))?;
-        Ok(bubbles::extremal(&patch, self.functional, &self.method, Some(shape))?.0)
+    fn extremal(&self, shape: &[f64]) -> Result<TensorPatch, MethodError> {
+        let shape = FixedShape::new(self.family, shape.to_vec())?;
+        let patch = self.family.patch(self.net.clone(), shape.parameters())?;
+        Ok(bubbles::extremal(&patch, self.functional, Some(&shape))?.0)
     }
 
     /// The energy as a form of two patches of these families: `Σ c ∫ ∂^a S · ∂^b T`.
@@ -48,7 +46,7 @@ impl Minima {
                 .terms()
                 .iter()
                 .map(|term| {
-                    let part = |jet: &Jet, a, b| -> Point { bubbles::derivative(jet, a, b) };
+                    let part = |jet: &Jet, a, b| -> Point { jet.derivative(a, b) };
                     term.coefficient * part(s, term.u.0, term.v.0).dot(part(t, term.u.1, term.v.1))
                 })
                 .sum();
@@ -60,13 +58,12 @@ impl Minima {
 
 impl Objective for Minima {
     fn dimension(&self) -> usize {
-        4
+        self.family.parameters().len()
     }
 
     fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        for (point, value) in points.chunks_exact(4).zip(values) {
-            let found =
-                self.extremal(std::array::from_fn(|k| point[k])).and_then(|patch| self.form(&patch, &patch));
+        for (shape, value) in points.chunks_exact(Objective::dimension(self)).zip(values) {
+            let found = self.extremal(shape).and_then(|patch| self.form(&patch, &patch));
             *value = found.unwrap_or(f64::NAN);
         }
     }
@@ -74,14 +71,16 @@ impl Objective for Minima {
 
 impl Smooth for Minima {
     fn dimension(&self) -> usize {
-        4
+        self.family.parameters().len()
     }
 
-    fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        let found = self.extremal(std::array::from_fn(|k| point[k])).and_then(|patch| {
-            for (k, g) in gradient.iter_mut().enumerate() {
-                *g = 2.0 * self.form(&patch, &self.derivatives.of(&patch, k)?)?;
+    fn value_and_gradient(&self, shape: &[f64], gradient: &mut [f64]) -> f64 {
+        let found = self.extremal(shape).and_then(|patch| {
+            let mut by_coordinates = [0.0; 4];
+            for (derivative, direction) in by_coordinates.iter_mut().zip(&self.family.derivatives(&patch)?) {
+                *derivative = 2.0 * self.form(&patch, direction)?;
             }
+            gradient.copy_from_slice(&self.family.by_parameters(by_coordinates));
             self.form(&patch, &patch)
         });
         found.unwrap_or(f64::NAN)
@@ -90,11 +89,8 @@ impl Smooth for Minima {
 
 #[cfg(test)]
 mod tests {
-    use energy::ShapedPatch;
-
     use super::*;
     use crate::search::ReducedEnergy;
-    use crate::{Basis, Energy, Interior, Patch, ReferenceTriangle, SearchMode, Shape, SolverChoice};
 
     fn net() -> Net {
         let points = |rows: [[f64; 3]; 4]| rows.map(Point::from);
@@ -107,38 +103,27 @@ mod tests {
         .expect("a sound boundary")
     }
 
-    fn method(patch: Patch, energy: Energy) -> Method {
-        Method {
-            name: "minima".into(),
-            patch,
-            basis: Basis::Gt,
-            shape: Shape::Search(SearchMode::Polish),
-            interior: Interior::Extremal { energy, metric_steps: 0 },
-            search_energy: energy,
-            raise: 0,
-            solver: SolverChoice::Auto,
-            domain: ReferenceTriangle::Right,
-            tolerance: 1e-10,
-            bound: false,
-        }
-    }
-
     #[test]
     fn minima_are_those_of_the_parametric_system() {
         let shape = [0.7, 1.9, 1.2, 2.6];
-        for (patch, kind) in [(Patch::Tensor, ShapedPatch::Gt), (Patch::TbCoons, ShapedPatch::TbCoons)] {
-            for energy in [Energy::Dirichlet, Energy::Laplacian, Energy::Bending, Energy::Coons] {
-                let functional = energy.functional().expect("a quadratic energy");
+        for family in ShapedFamily::ALL {
+            for functional in Functional::ALL {
                 for raise in [0, 3] {
                     let net = net().raised(raise);
-                    let minima = Minima::new(&net, &method(patch, energy), functional).expect("offered");
-                    let tables = ReducedEnergy::new(functional, kind, &net).expect("offered");
+                    let minima = Minima::new(&net, family, functional);
+                    let tables = ReducedEnergy::new(functional, family, &net).expect("offered");
                     let (mut ours, mut theirs) = ([0.0; 4], [0.0; 4]);
                     let value = minima.value_and_gradient(&shape, &mut ours);
                     let known = tables.value_and_gradient(&shape, &mut theirs);
-                    assert!((value / known - 1.0).abs() < 1e-11, "{patch:?} {energy:?}: {value} {known}");
+                    assert!(
+                        (value / known - 1.0).abs() < 1e-11,
+                        "{family:?} {functional:?}: {value} {known}"
+                    );
                     for (a, b) in ours.iter().zip(theirs) {
-                        assert!((a - b).abs() < 1e-9 * known, "{patch:?} {energy:?}: {ours:?} {theirs:?}");
+                        assert!(
+                            (a - b).abs() < 1e-9 * known,
+                            "{family:?} {functional:?}: {ours:?} {theirs:?}"
+                        );
                     }
                     let mut batch = [0.0; 2];
                     minima.evaluate(&[shape, [1.0; 4]].concat(), &mut batch);
@@ -151,14 +136,13 @@ mod tests {
     #[test]
     fn gradients_hold_at_high_degrees() {
         let shape = [0.7, 1.9, 1.2, 2.6];
-        for (patch, energy, raise) in [
-            (Patch::Tensor, Energy::Bending, 20),
-            (Patch::TbCoons, Energy::Dirichlet, 20),
-            (Patch::Tensor, Energy::Dirichlet, 45),
+        for (family, functional, raise) in [
+            (ShapedFamily::Gt, Functional::Bending, 20),
+            (ShapedFamily::TbCoons, Functional::Dirichlet, 20),
+            (ShapedFamily::Gt, Functional::Dirichlet, 45),
         ] {
             let net = net().raised(raise);
-            let functional = energy.functional().expect("a quadratic energy");
-            let minima = Minima::new(&net, &method(patch, energy), functional).expect("offered");
+            let minima = Minima::new(&net, family, functional);
             let mut gradient = [0.0; 4];
             let value = minima.value_and_gradient(&shape, &mut gradient);
             let scale = gradient.iter().fold(0.0f64, |m, g| m.max(g.abs()));
@@ -173,7 +157,7 @@ mod tests {
                 let difference = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
                 assert!(
                     (g - difference).abs() < 1e-7 * (scale + value),
-                    "{patch:?} {energy:?} {k}: {g} {difference}"
+                    "{family:?} {functional:?} {k}: {g} {difference}"
                 );
             }
         }

@@ -8,7 +8,6 @@ mod outcome;
 mod reduced;
 mod reduced_energy;
 mod runs;
-mod shape_derivative;
 
 pub use options::{MAX_SEARCH_BUDGET, Search, SearchMode, Variant};
 pub use outcome::{SearchOutcome, SearchRun};

@@ -6,8 +6,8 @@ use optim::Polished;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SearchOutcome {
-    /// The best shape (α1, α2, β1, β2) of all runs.
-    pub shape: [f64; 4],
+    /// The best shape of all runs.
+    pub shape: Vec<f64>,
     /// The reduced energy there.
     pub minimum: f64,
     /// Evaluations of the reduced energy, those of the polish included.
@@ -32,7 +32,7 @@ pub struct SearchRun {
     /// The least energy it found, after the polish if there was one.
     pub value: f64,
     /// Where.
-    pub shape: [f64; 4],
+    pub shape: Vec<f64>,
     /// Why it ended.
     pub reason: String,
     /// Evaluations of the reduced energy.

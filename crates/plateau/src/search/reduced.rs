@@ -1,24 +1,23 @@
 //! The reduced energy J(α) = min over the free points, as the swarm and the polish ask for it.
 
-use bases::{Basis, GtParts};
-use energy::ShapedPatch;
+use energy::Functional;
 use optim::{Objective, Smooth};
 use solve::{AffineSamples, Path, SeparableParametric};
-use surfaces::Net;
+use surfaces::{Net, ShapeFactor, ShapedFamily};
 
-use super::composed::Composed;
+use super::composed::{Composed, Inner, form};
 use super::least_area::LeastArea;
 use super::minima::Minima;
 use super::reduced_energy::ReducedEnergy;
 use crate::interior::extremal::prefers_separable;
-use crate::{Arithmetic, Energy, Method, MethodError, Patch, Progress, SolverChoice};
+use crate::{Arithmetic, Energy, MethodError, Progress, SolverChoice, TensorInterior};
 
 /// J of a method over a net; the gradient comes with the solve, by the envelope theorem.
 pub(super) enum Reduced<'a> {
     /// Polynomials of the shape, contracted with the boundary once: for small nets, any quadratic energy, any blend.
     Parametric(Box<ReducedEnergy>),
     /// Samples of the functions, orthonormalised at every shape: for large nets, where Gram matrices lose digits.
-    Separable(Box<SeparableParametric>),
+    Separable(Box<Separable>),
     /// The extremal itself at every shape: for large nets, any quadratic energy, any blend.
     Minima(Box<Minima>),
     /// The least area over the border: a minimisation at every shape.
@@ -26,6 +25,15 @@ pub(super) enum Reduced<'a> {
     /// Another energy than the one whose extremal is taken.
     Composed(Box<Composed<'a>>),
 }
+
+/// A system of samples with the family whose shape it depends on.
+pub(super) struct Separable {
+    family: ShapedFamily,
+    system: SeparableParametric,
+}
+
+/// The tolerance of a least area that no method has set.
+const TOLERANCE: f64 = 1e-10;
 
 /// Largest degree at which samples made orthonormal keep the digits of J.
 const SEPARABLE_TO: usize = 20;
@@ -36,37 +44,65 @@ const PARAMETRIC_TO: usize = 12;
 impl<'a> Reduced<'a> {
     pub(super) fn new(
         net: &Net,
-        method: &Method,
+        (family, energy): (ShapedFamily, Energy),
+        interior: TensorInterior,
         arithmetic: Arithmetic,
         progress: &'a dyn Progress,
     ) -> Result<Self, MethodError> {
-        if let Some(energy) = method.extremal_energy().filter(|&energy| energy != method.search_energy) {
-            let (inner, outer) = (energy.functional(), method.search_energy.functional());
-            return Ok(Self::Composed(Box::new(Composed::new(net, method, inner, outer, progress)?)));
+        let area = |tolerance| LeastArea::new(net, family, tolerance, progress);
+        let composed = |inner| Ok(Self::Composed(Box::new(Composed::new(net, family, inner, energy)?)));
+        match interior {
+            TensorInterior::LeastArea { tolerance, .. } if energy == Energy::Area => {
+                return Ok(Self::Area(Box::new(area(tolerance))));
+            }
+            TensorInterior::LeastArea { tolerance, .. } => return composed(Inner::Area(area(tolerance))),
+            TensorInterior::Extremal { energy: inner, .. } if energy != Energy::Quadratic(inner) => {
+                return composed(Inner::Quadratic(form(inner, family, net)?));
+            }
+            TensorInterior::MetricCorrections { .. } if energy != Energy::DIRICHLET => {
+                return composed(Inner::Quadratic(form(Functional::Dirichlet, family, net)?));
+            }
+            TensorInterior::Extremal { .. }
+            | TensorInterior::MetricCorrections { .. }
+            | TensorInterior::Mask { .. }
+            | TensorInterior::DiscreteCoons
+            | TensorInterior::Harmonic => {}
         }
-        let Some(energy) = method.search_energy.functional() else {
-            return Ok(Self::Area(Box::new(LeastArea::new(net, method, progress)?)));
-        };
+        match energy {
+            Energy::Area => Ok(Self::Area(Box::new(area(TOLERANCE)))),
+            Energy::Quadratic(functional) => {
+                Self::quadratic(net, family, functional, interior.solver(), arithmetic)
+            }
+        }
+    }
+
+    /// J of a quadratic energy, minimised over the free points if there are any.
+    fn quadratic(
+        net: &Net,
+        family: ShapedFamily,
+        functional: Functional,
+        solver: SolverChoice,
+        arithmetic: Arithmetic,
+    ) -> Result<Self, MethodError> {
         let (m, n) = net.degrees();
         let solved_for = net.fixed().contains(&false);
-        let interior = |degree: usize| if solved_for { (1..degree).collect() } else { Vec::new() };
-        let splits = method.search_energy == Energy::Dirichlet && method.patch == Patch::Tensor && solved_for;
-        let separable = match method.solver {
+        let splits = functional == Functional::Dirichlet && !family.is_blend() && solved_for;
+        let separable = match solver {
             SolverChoice::Separable => splits,
             SolverChoice::Auto => splits && prefers_separable(net),
-            SolverChoice::Dense | SolverChoice::Sparse => false,
+            SolverChoice::Dense => false,
         };
         let is_large = if separable { SEPARABLE_TO } else { PARAMETRIC_TO } < m.max(n);
         if solved_for && is_large && m.min(n) >= 2 {
-            return Ok(Self::Minima(Box::new(Minima::new(net, method, energy)?)));
+            return Ok(Self::Minima(Box::new(Minima::new(net, family, functional))));
         }
-        if separable {
-            let (u, v) = (affine_samples(m)?, affine_samples(n)?);
+        if let ([[u, v]], true) = (family.factors((m, n))?.as_slice(), separable) {
+            let (u, v) = (affine_samples(u, m)?, affine_samples(v, n)?);
+            let interior = |degree: usize| (1..degree).collect::<Vec<_>>();
             let system = SeparableParametric::new(u, v, &interior(m), &interior(n), &net.coordinates())?;
-            return Ok(Self::Separable(Box::new(system)));
+            return Ok(Self::Separable(Box::new(Separable { family, system })));
         }
-        let kind = if method.patch == Patch::TbCoons { ShapedPatch::TbCoons } else { ShapedPatch::Gt };
-        let reduced = ReducedEnergy::new(energy, kind, net)?;
+        let reduced = ReducedEnergy::new(functional, family, net)?;
         Ok(Self::Parametric(Box::new(match arithmetic {
             Arithmetic::Auto => reduced,
             Arithmetic::Portable => reduced.with_path(Path::Portable)?,
@@ -97,10 +133,10 @@ impl<'a> Reduced<'a> {
     }
 }
 
-/// The GT functions of one degree and their derivatives, split into the parts affine in the shape.
-fn affine_samples(degree: usize) -> Result<AffineSamples, MethodError> {
-    let (parts, functions) = (GtParts::new(degree)?, degree + 1);
-    let samples = bases::Samples::new(&parts, bases::Samples::points_for(functions), 1)?;
+/// The functions of one degree and their derivatives, split into the parts affine in the shape.
+fn affine_samples(factor: &ShapeFactor, degree: usize) -> Result<AffineSamples, MethodError> {
+    let (parts, functions) = (factor.affine()?, degree + 1);
+    let samples = bases::Samples::new(parts.as_ref(), bases::Samples::points_for(functions), 1)?;
     let points = samples.nodes().len();
     debug_assert_eq!(parts.count(), 3 * functions);
     let split = |order: usize| {
@@ -118,44 +154,74 @@ fn affine_samples(degree: usize) -> Result<AffineSamples, MethodError> {
     })
 }
 
-impl Objective for Reduced<'_> {
+impl Objective for Separable {
     fn dimension(&self) -> usize {
-        4
+        self.family.parameters().len()
     }
 
     fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        match self {
-            Self::Parametric(reduced) => reduced.evaluate(points, values),
-            Self::Separable(system) => {
-                // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
-                if system.values(points, values).is_err() {
-                    values.fill(f64::NAN);
-                }
-            }
-            Self::Minima(minima) => minima.evaluate(points, values),
-            Self::Area(least) => least.evaluate(points, values),
-            Self::Composed(composed) => composed.evaluate(points, values),
+        let found = self.family.coordinates_of_all(points).map(|points| self.system.values(&points, values));
+        // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
+        if !matches!(found, Ok(Ok(()))) {
+            values.fill(f64::NAN);
         }
+    }
+}
+
+impl Smooth for Separable {
+    fn dimension(&self) -> usize {
+        self.family.parameters().len()
+    }
+
+    fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
+        let Ok(coordinates) = self.family.coordinates(point) else { return f64::NAN };
+        let mut by_coordinates = [0.0; 4];
+        let value = self.system.value_and_gradient(&coordinates, &mut by_coordinates);
+        gradient.copy_from_slice(&self.family.by_parameters(by_coordinates));
+        value
+    }
+}
+
+impl Reduced<'_> {
+    /// The objective as such.
+    fn objective(&self) -> &dyn Objective {
+        match self {
+            Self::Parametric(reduced) => reduced.as_ref(),
+            Self::Separable(system) => system.as_ref(),
+            Self::Minima(minima) => minima.as_ref(),
+            Self::Area(least) => least.as_ref(),
+            Self::Composed(composed) => composed.as_ref(),
+        }
+    }
+
+    /// The objective with its gradient.
+    fn smooth(&self) -> &dyn Smooth {
+        match self {
+            Self::Parametric(reduced) => reduced.as_ref(),
+            Self::Separable(system) => system.as_ref(),
+            Self::Minima(minima) => minima.as_ref(),
+            Self::Area(least) => least.as_ref(),
+            Self::Composed(composed) => composed.as_ref(),
+        }
+    }
+}
+
+impl Objective for Reduced<'_> {
+    fn dimension(&self) -> usize {
+        self.objective().dimension()
+    }
+
+    fn evaluate(&self, points: &[f64], values: &mut [f64]) {
+        self.objective().evaluate(points, values);
     }
 }
 
 impl Smooth for Reduced<'_> {
     fn dimension(&self) -> usize {
-        4
+        self.smooth().dimension()
     }
 
     fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        match self {
-            Self::Parametric(reduced) => reduced.value_and_gradient(point, gradient),
-            Self::Separable(system) => {
-                let (shape, mut by_shape) = (std::array::from_fn(|k| point[k]), [0.0; 4]);
-                let value = system.value_and_gradient(&shape, &mut by_shape);
-                gradient.copy_from_slice(&by_shape);
-                value
-            }
-            Self::Minima(minima) => minima.value_and_gradient(point, gradient),
-            Self::Area(least) => least.value_and_gradient(point, gradient),
-            Self::Composed(composed) => composed.value_and_gradient(point, gradient),
-        }
+        self.smooth().value_and_gradient(point, gradient)
     }
 }

@@ -1,39 +1,39 @@
 //! A quadratic energy, minimised over the interior, as a function of the shape parameters.
 
-use energy::{Functional, GramPolynomial, ShapeForm, ShapedPatch};
+use energy::{Functional, GramPolynomial, ShapeForm};
 use optim::{Objective, Smooth};
 use solve::{Parametric, ParametricProblem, Path, PolynomialMatrix, Term};
-use surfaces::{Net, TensorPatch, tb_coons};
+use surfaces::{Net, ShapedFamily, TensorPatch};
 
 use crate::MethodError;
 
-/// `J(α) = min_P E(P; α)`: a quadratic energy of GT or TB–Coons patches over a net, minimised over its free points, as a function of
-/// the shape α = (α1, α2, β1, β2). What joins the energies, the linear systems and the searches: `optim` minimises it, values by
+/// `J(α) = min_P E(P; α)`: a quadratic energy of patches of a family over a net, minimised over its free points, as a function of
+/// the shape α of the family. What joins the energies, the linear systems and the searches: `optim` minimises it, values by
 /// the batch, gradients by the envelope theorem.
 ///
 /// ```
-/// use energy::{Functional, ShapedPatch};
+/// use energy::Functional;
 /// use optim::{Bounds, Pso};
 /// use plateau::ReducedEnergy;
-/// use surfaces::{Net, Patch, Point};
+/// use surfaces::{Net, Patch, Point, ShapedFamily};
 ///
 /// // The boundary of GT Example 5.1.
 /// let row = |y: f64| [[0., y, 0.], [2., y, 2.], [4., y, -2.], [6., y, 0.]].map(Point::from);
 /// let column = |x: f64| [[x, 0., 0.], [x, 2., 2.], [x, 4., -2.], [x, 6., 0.]].map(Point::from);
 /// let net = Net::from_boundary(&row(0.), &row(6.), &column(0.), &column(6.))?;
 ///
-/// let energy = ReducedEnergy::new(Functional::Dirichlet, ShapedPatch::Gt, &net)?;
+/// let energy = ReducedEnergy::new(Functional::Dirichlet, ShapedFamily::Gt, &net)?;
 /// let swarm = Pso { particles: 50, iterations: 100, ..Pso::new(7) };
 /// let best = swarm.run(&energy, &Bounds::cube(4, 0.5, 3.5)?, 0, &())?.best.expect("J is finite in the box");
 /// assert!((best.value - 37.4395612).abs() < 1e-4);
-/// let patch = energy.extremal([best.point[0], best.point[1], best.point[2], best.point[3]])?;
+/// let patch = energy.extremal(&best.point)?;
 /// assert!((patch.point(0.5, 0.5).x - 3.0).abs() < 1e-2);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
 pub struct ReducedEnergy {
     system: Parametric,
-    kind: ShapedPatch,
+    family: ShapedFamily,
     net: Net,
 }
 
@@ -42,10 +42,10 @@ impl ReducedEnergy {
     ///
     /// # Errors
     /// [`MethodError::Energy`] for degrees below 2, [`MethodError::Solve`] for more than 400 free points.
-    pub fn new(functional: Functional, kind: ShapedPatch, net: &Net) -> Result<Self, MethodError> {
-        let form = ShapeForm::of(functional, kind, net.degrees())?;
+    pub fn new(functional: Functional, family: ShapedFamily, net: &Net) -> Result<Self, MethodError> {
+        let form = ShapeForm::of(functional, family, net.degrees())?;
         let system = Parametric::new(&problem(&form, net))?;
-        Ok(Self { system, kind, net: net.clone() })
+        Ok(Self { system, family, net: net.clone() })
     }
 
     /// The same, evaluated on a chosen path.
@@ -69,15 +69,11 @@ impl ReducedEnergy {
     /// The patch of least energy at a shape.
     ///
     /// # Errors
-    /// [`MethodError::Surface`] for a shape outside [0, 4], [`MethodError::Solve`] where the energy is not positive definite to
+    /// [`MethodError::Surface`] for a shape that the family does not have, [`MethodError::Solve`] where the energy is not positive definite to
     /// working precision.
-    pub fn extremal(&self, shape: [f64; 4]) -> Result<TensorPatch, MethodError> {
-        let solution = self.system.solve(&shape)?;
-        let net = self.net.with_coordinates(&solution.x)?;
-        Ok(match self.kind {
-            ShapedPatch::Gt => TensorPatch::gt(net, shape)?,
-            ShapedPatch::TbCoons => tb_coons(net, shape)?,
-        })
+    pub fn extremal(&self, shape: &[f64]) -> Result<TensorPatch, MethodError> {
+        let solution = self.system.solve(&self.family.coordinates(shape)?)?;
+        Ok(self.family.patch(self.net.with_coordinates(&solution.x)?, shape)?)
     }
 }
 
@@ -107,12 +103,13 @@ fn problem(form: &ShapeForm, net: &Net) -> ParametricProblem {
 
 impl Objective for ReducedEnergy {
     fn dimension(&self) -> usize {
-        4
+        self.family.parameters().len()
     }
 
     fn evaluate(&self, points: &[f64], values: &mut [f64]) {
+        let found = self.family.coordinates_of_all(points).map(|points| self.system.values(&points, values));
         // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
-        if self.system.values(points, values).is_err() {
+        if !matches!(found, Ok(Ok(()))) {
             values.fill(f64::NAN);
         }
     }
@@ -120,13 +117,14 @@ impl Objective for ReducedEnergy {
 
 impl Smooth for ReducedEnergy {
     fn dimension(&self) -> usize {
-        4
+        self.family.parameters().len()
     }
 
     fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        let (shape, mut by_shape) = (std::array::from_fn(|k| point[k]), [0.0; 4]);
-        let value = self.system.value_and_gradient(&shape, &mut by_shape);
-        gradient.copy_from_slice(&by_shape);
+        let Ok(coordinates) = self.family.coordinates(point) else { return f64::NAN };
+        let mut by_coordinates = [0.0; 4];
+        let value = self.system.value_and_gradient(&coordinates, &mut by_coordinates);
+        gradient.copy_from_slice(&self.family.by_parameters(by_coordinates));
         value
     }
 }

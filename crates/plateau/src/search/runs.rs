@@ -4,11 +4,11 @@ use std::ops::ControlFlow;
 
 use optim::{Bounds, Objective, Observer, Polish, Polished, Pso, Reason, Topology};
 use rayon::prelude::*;
-use surfaces::Net;
+use surfaces::{Net, ShapedFamily};
 
 use super::reduced::Reduced;
 use super::{SearchMode, SearchOutcome, SearchRun, Variant};
-use crate::{Context, Method, MethodError};
+use crate::{Context, Energy, MethodError, TensorInterior};
 
 /// What all runs of a search share.
 struct Search<'a> {
@@ -20,7 +20,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Every run that found something, in order, and the evaluations of all.
-    fn runs(&self, method: &Method) -> Result<(Vec<SearchRun>, u64), MethodError> {
+    fn runs(&self, name: &str) -> Result<(Vec<SearchRun>, u64), MethodError> {
         let (options, progress) = (&self.context.search, self.context.progress);
         let kept = |k| {
             let run = self.context.keeper.run(self.context.index, k)?;
@@ -35,13 +35,13 @@ impl Search<'_> {
         let pso = self.swarm();
         match self.mode {
             SearchMode::Polish => {
-                Polish::default().validate_starts(4, self.bounds, options.runs)?;
-                progress.begin(&format!("descending for {}", method.name), Some(ahead));
+                Polish::default().validate_starts(self.bounds.dimension(), self.bounds, options.runs)?;
+                progress.begin(&format!("descending for {name}"), Some(ahead));
             }
             SearchMode::Pso | SearchMode::PsoPolish => {
-                pso.validate_search(4, self.bounds, options.runs)?;
+                pso.validate_search(self.bounds.dimension(), self.bounds, options.runs)?;
                 let steps = ahead * (options.iterations as u64 + 1);
-                progress.begin(&format!("searching for {}", method.name), Some(steps));
+                progress.begin(&format!("searching for {name}"), Some(steps));
             }
         }
         let run = |(k, kept): (usize, Option<SearchRun>)| match kept {
@@ -116,18 +116,20 @@ impl Search<'_> {
     }
 }
 
-/// Searches the shape of `method` over `net`.
+/// Searches the shape of a family for the least `energy` over `net`, where the interior is found as said; `name` is what the search is for.
 pub(crate) fn search(
     net: &Net,
-    method: &Method,
+    name: &str,
+    (family, energy): (ShapedFamily, Energy),
+    interior: TensorInterior,
     mode: SearchMode,
     context: &Context<'_>,
 ) -> Result<SearchOutcome, MethodError> {
     let options = &context.search;
-    let reduced = Reduced::new(net, method, context.arithmetic, context.progress)?;
-    let bounds = Bounds::cube(4, options.lower, options.upper)?;
+    let reduced = Reduced::new(net, (family, energy), interior, context.arithmetic, context.progress)?;
+    let bounds = Bounds::cube(family.parameters().len(), options.lower, options.upper)?;
     let search = Search { reduced: &reduced, bounds: &bounds, mode, context };
-    let runs = search.runs(method);
+    let runs = search.runs(name);
     context.progress.end();
     let (runs, evaluations) = runs?;
     if context.progress.cancelled() {
@@ -138,7 +140,7 @@ pub(crate) fn search(
         return Err(MethodError::NothingFound { evaluations });
     };
     Ok(SearchOutcome {
-        shape: best.shape,
+        shape: best.shape.clone(),
         minimum: best.value,
         evaluations: runs.iter().map(|run| run.evaluations).sum(),
         nan_evaluations: runs.iter().map(|run| run.nan_evaluations).sum(),
@@ -148,17 +150,13 @@ pub(crate) fn search(
     })
 }
 
-fn shape(point: &[f64]) -> [f64; 4] {
-    std::array::from_fn(|k| point[k])
-}
-
 fn from_swarm(run: &optim::Run) -> Option<SearchRun> {
     let best = run.best.as_ref()?;
     Some(SearchRun {
         seed: run.seed,
         index: run.run,
         value: best.value,
-        shape: shape(&best.point),
+        shape: best.point.clone(),
         reason: run.reason.to_string(),
         evaluations: run.evaluations,
         nan_evaluations: run.nan_evaluations,
@@ -173,7 +171,7 @@ fn from_descent(seed: u64, index: usize, polished: Polished) -> SearchRun {
         seed,
         index,
         value: polished.value,
-        shape: shape(&polished.point),
+        shape: polished.point.clone(),
         reason: polished.reason.to_string(),
         evaluations: polished.evaluations as u64,
         nan_evaluations: 0,
@@ -187,7 +185,7 @@ fn from_descent(seed: u64, index: usize, polished: Polished) -> SearchRun {
 fn polish_with(run: &mut SearchRun, polished: Polished) {
     run.evaluations += polished.evaluations as u64;
     run.value = polished.value;
-    run.shape = shape(&polished.point);
+    run.shape = polished.point.clone();
     run.on_budget = polished.reason == optim::PolishReason::Budget;
     run.polish = Some(polished);
 }

@@ -30,28 +30,9 @@ const SURFACE: [(&str, i32); 10] = [
 
 /// All keys that are compared: the residual is rounding, and minima of searches are compared by themselves.
 fn compared() -> impl Iterator<Item = (&'static str, i32)> {
-    let is_of_the_surface = |quantity: &&Quantity| match quantity {
-        // The largest kink is compared with their mean.
-        Quantity::Residual | Quantity::SearchMinimum | Quantity::Curvature(_) | Quantity::Kink => false,
-        Quantity::Dirichlet
-        | Quantity::Area
-        | Quantity::LaplacianDefect
-        | Quantity::Bending
-        | Quantity::CoonsFunctional
-        | Quantity::MetricDirichlet
-        | Quantity::ConformalityGap
-        | Quantity::MeanCurvatureMax
-        | Quantity::MeanCurvatureRms
-        | Quantity::BoundaryDeviation
-        | Quantity::HarmonicBound
-        | Quantity::Deviation
-        | Quantity::RimDeviation
-        | Quantity::JacobianRatio
-        | Quantity::SpannedOneByOne
-        | Quantity::Shape(_) => true,
-    };
-    let figures =
-        Quantity::ALL.iter().filter(is_of_the_surface).map(|quantity| (quantity.key(), quantity.power()));
+    // The largest kink is compared with their mean.
+    let is_compared = |quantity: &&Quantity| quantity.is_of_the_surface() && **quantity != Quantity::Kink;
+    let figures = Quantity::ALL.iter().filter(is_compared).map(|quantity| (quantity.key(), quantity.power()));
     SURFACE.into_iter().chain(figures)
 }
 

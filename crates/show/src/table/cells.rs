@@ -123,9 +123,10 @@ fn weights(done: &Done) -> String {
 }
 
 fn shape(done: &Done) -> String {
-    let Some(shape) = done.solved.shape else { return String::new() };
+    let Some(shape) = &done.solved.shape else { return String::new() };
     if shape.iter().all(|x| (x - shape[0]).abs() < 5e-6) {
-        return format!("{:.5} (all four)", shape[0]);
+        let all = if shape.len() == 4 { "all four".to_owned() } else { format!("all {}", shape.len()) };
+        return format!("{:.5} ({all})", shape[0]);
     }
-    shape.map(|x| format!("{x:.5}")).join(" ")
+    shape.iter().map(|x| format!("{x:.5}")).collect::<Vec<_>>().join(" ")
 }

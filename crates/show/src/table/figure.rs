@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::standing::UNMOVED;
 use crate::number::Form;
-use plateau::{Done, Energy, Quantity};
+use plateau::{Done, Quantity};
 
 /// Where a figure is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,8 +43,6 @@ pub(crate) struct Figure {
     pub(crate) place: Place,
     /// See [`Column::rank`].
     pub(crate) rank: u8,
-    /// The energy that this is the value of: its column is always there for those who minimise it.
-    pub(crate) energy: Option<Energy>,
 }
 
 /// What most figures are, which exist only for some patches; the others say what differs.
@@ -59,7 +57,6 @@ const fn plain(quantity: Quantity) -> Figure {
         missing: "",
         place: Place::Everywhere,
         rank: 0,
-        energy: None,
     }
 }
 
@@ -68,27 +65,15 @@ const MINIMISED: u8 = 1;
 
 /// All of them, in the order of the columns.
 pub(crate) const FIGURES: [Figure; 16] = [
-    Figure {
-        heading: "area A",
-        form: Form::Decimals(7),
-        energy: Some(Energy::Area),
-        ..plain(Quantity::Area)
-    },
+    Figure { heading: "area A", form: Form::Decimals(7), ..plain(Quantity::Area) },
     Figure { shows: Shows::AreaError, heading: "± of A", rank: 3, ..plain(Quantity::Area) },
-    Figure {
-        heading: "Dirichlet D",
-        form: Form::Decimals(7),
-        rank: 4,
-        energy: Some(Energy::Dirichlet),
-        ..plain(Quantity::Dirichlet)
-    },
+    Figure { heading: "Dirichlet D", form: Form::Decimals(7), rank: 4, ..plain(Quantity::Dirichlet) },
     Figure {
         heading: "∫‖ΔS‖²",
         form: Form::Decimals(7),
         place: Place::Page,
         vanishes_if_exact: true,
         rank: 9,
-        energy: Some(Energy::Laplacian),
         ..plain(Quantity::LaplacianDefect)
     },
     Figure {
@@ -97,7 +82,6 @@ pub(crate) const FIGURES: [Figure; 16] = [
         vanishes_if_exact: true,
         place: Place::Minimised,
         rank: 9,
-        energy: Some(Energy::Bending),
         ..plain(Quantity::Bending)
     },
     Figure {
@@ -105,7 +89,6 @@ pub(crate) const FIGURES: [Figure; 16] = [
         form: Form::Decimals(7),
         vanishes_if_exact: true,
         rank: 9,
-        energy: Some(Energy::Coons),
         ..plain(Quantity::CoonsFunctional)
     },
     Figure { heading: "D^g", form: Form::Decimals(7), rank: 5, ..plain(Quantity::MetricDirichlet) },
@@ -187,9 +170,10 @@ impl Figure {
         Column { key: self.shows.key(), rank: self.rank, ..Column::number(self.heading, beneath) }
     }
 
-    /// Whether one of the patches is an extremal of this energy.
+    /// Whether it is the energy whose extremal one of the patches is: then its column is there.
     pub(crate) fn is_minimised_by(&self, done: &[Option<&Done>]) -> bool {
-        self.energy.is_some() && done.iter().flatten().any(|done| done.solved.minimised == self.energy)
+        let Shows::Value(quantity) = self.shows else { return false };
+        done.iter().flatten().any(|done| done.solved.minimised.map(Quantity::of_energy) == Some(quantity))
     }
 
     /// Its column among patches; what one of them minimised is left out late.
@@ -218,5 +202,20 @@ fn unit(power: i32) -> &'static str {
         1 => "length",
         2 => "length²",
         _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use plateau::Energy;
+
+    use super::*;
+
+    #[test]
+    fn every_energy_has_a_column() {
+        for (name, energy) in Energy::NAMED {
+            let shows = |figure: &&Figure| matches!(figure.shows, Shows::Value(q) if q == Quantity::of_energy(energy));
+            assert!(FIGURES.iter().any(|figure| shows(&figure)), "{name} has no column of its value");
+        }
     }
 }

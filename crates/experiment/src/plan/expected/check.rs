@@ -1,6 +1,6 @@
 //! `expect` and `published` tables.
 
-use plateau::{Patch, Quantity, Shape};
+use plateau::{Family, Quantity};
 use serde_spanned::Spanned;
 
 use super::{Expected, Published, Wanted};
@@ -12,7 +12,7 @@ use crate::text::{Faults, Given, Table, Tables, counted, half_unit_of_last_digit
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Subject {
-    Patch { patch: Patch, shape: Shape },
+    Patch { family: Family, searched: bool },
     Film,
     Helicoid,
     Net,
@@ -52,13 +52,13 @@ impl Subject {
             (Self::Patch { .. }, Q::Deviation) => {
                 Some("`deviation` is for helicoids: write `boundary-deviation`, or take the key out")
             }
-            (Self::Patch { shape: Shape::None, .. }, Q::Shape(_)) => {
+            (Self::Patch { family, .. }, Q::Shape(_)) if family.parameters().is_empty() => {
                 Some("the Bernstein basis has no shape parameters: take the key out, or write basis = \"gt\"")
             }
-            (Self::Patch { shape: Shape::None | Shape::Fixed(_), .. }, Q::SearchMinimum) => {
+            (Self::Patch { searched: false, .. }, Q::SearchMinimum) => {
                 Some("this method searches nothing: add search = true, or take the key out")
             }
-            (Self::Patch { patch: Patch::Triangle, .. }, Q::BoundaryDeviation | Q::HarmonicBound) => {
+            (Self::Patch { family: Family::Triangle, .. }, Q::BoundaryDeviation | Q::HarmonicBound) => {
                 Some("only tensor patches have this figure: take the key out")
             }
             _ => None,
@@ -68,7 +68,7 @@ impl Subject {
     /// How many numbers a quantity with an index has.
     fn length(self, quantity: Quantity) -> Option<usize> {
         match (self, quantity) {
-            (_, Quantity::Shape(_)) => Some(4),
+            (Self::Patch { family, .. }, Quantity::Shape(_)) => Some(family.parameters().len()),
             (Self::Curve { samples }, Quantity::Curvature(_)) => Some(samples),
             _ => None,
         }

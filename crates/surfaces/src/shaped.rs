@@ -1,0 +1,230 @@
+//! Families of tensor patches with shape parameters: one table of them, which whatever builds, searches, reads or names them follows.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use bases::{Basis, BasisError, GtBubbles, GtParts, Lobatto, Matrix, Stacked};
+
+use crate::{Net, Product, SurfaceError, TensorPatch, bernstein_less_blend, end_blend, tb_coons};
+
+/// A family of tensor patches whose functions have shape parameters.
+///
+/// What a family is, is said here and nowhere else: its words, its parameters, its patch, how the shape moves its functions, its
+/// functions that vanish on the border.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ShapedFamily {
+    /// Tensor products of generalized trigonometric functions (GT (3.2)).
+    Gt,
+    /// The Bernstein–GT Coons blend (GT §7).
+    TbCoons,
+}
+
+/// How the shape moves a family of N functions in one direction.
+#[derive(Debug, Clone)]
+pub enum ShapeFactor {
+    /// Affine in two coordinates: 3N functions, the constant parts, then those of the first and of the second coordinate.
+    Affine(Arc<dyn Basis>),
+    /// Not at all: the N functions.
+    Constant(Arc<dyn Basis>),
+}
+
+impl ShapeFactor {
+    /// The 3N functions of the affine layout; those of the coordinates vanish if the shape does not move the family.
+    ///
+    /// # Errors
+    /// [`BasisError`] never in fact: the map has as many columns as the family functions.
+    pub fn affine(&self) -> Result<Arc<dyn Basis>, BasisError> {
+        match self {
+            Self::Affine(parts) => Ok(parts.clone()),
+            Self::Constant(basis) => {
+                let n = basis.count();
+                let map = Matrix::from_fn(3 * n, n, |i, j| f64::from(u8::from(i == j)));
+                Ok(Arc::new(Stacked::new(vec![basis.clone()], map)?))
+            }
+        }
+    }
+
+    /// The derivative by coordinate `k` (0 or 1): N functions; none if the shape does not move the family.
+    fn derivative(&self, k: usize) -> Result<Option<Arc<dyn Basis>>, BasisError> {
+        let Self::Affine(parts) = self else { return Ok(None) };
+        let n = parts.count() / 3;
+        let map = Matrix::from_fn(n, 3 * n, |i, j| f64::from(u8::from(j == (k + 1) * n + i)));
+        Ok(Some(Arc::new(Stacked::new(vec![parts.clone()], map)?)))
+    }
+}
+
+impl ShapedFamily {
+    /// Every family.
+    pub const ALL: [Self; 2] = [Self::Gt, Self::TbCoons];
+
+    /// The words of the kinds of tensor patches; those of blends with their families.
+    pub const PATCHES: [(&'static str, Option<Self>); 2] =
+        [("tensor", None), ("tb-coons", Some(Self::TbCoons))];
+
+    /// The words of the bases of tensor products; all but Bernstein polynomials with their families.
+    pub const BASES: [(&'static str, Option<Self>); 2] = [("bernstein", None), ("gt", Some(Self::Gt))];
+
+    /// The words of the kind of patch and of the basis.
+    #[must_use]
+    pub const fn names(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Gt => ("tensor", "gt"),
+            Self::TbCoons => ("tb-coons", "gt"),
+        }
+    }
+
+    /// What a sentence calls its functions.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Gt => "the GT basis",
+            Self::TbCoons => "the TB–Coons blend",
+        }
+    }
+
+    /// Whether a patch is a sum of several products of families.
+    #[must_use]
+    pub const fn is_blend(self) -> bool {
+        match self {
+            Self::Gt => false,
+            Self::TbCoons => true,
+        }
+    }
+
+    /// The names of its shape parameters, those in u before those in v.
+    #[must_use]
+    pub const fn parameters(self) -> &'static [&'static str] {
+        match self {
+            Self::Gt | Self::TbCoons => &["α1", "α2", "β1", "β2"],
+        }
+    }
+
+    /// The range of each parameter.
+    #[must_use]
+    pub const fn range(self) -> (f64, f64) {
+        match self {
+            Self::Gt | Self::TbCoons => (0.0, 4.0),
+        }
+    }
+
+    /// The least degree in each direction.
+    #[must_use]
+    pub const fn least_degree(self) -> usize {
+        match self {
+            Self::Gt | Self::TbCoons => 2,
+        }
+    }
+
+    /// The patch of `net` with a shape, one number for each of [`parameters`](Self::parameters).
+    ///
+    /// # Errors
+    /// [`SurfaceError::ShapeCount`] for another number of them, [`SurfaceError::Basis`] for a degree too low or a shape out of range.
+    pub fn patch(self, net: Net, shape: &[f64]) -> Result<TensorPatch, SurfaceError> {
+        let shape = self.coordinates(shape)?;
+        match self {
+            Self::Gt => TensorPatch::gt(net, shape),
+            Self::TbCoons => tb_coons(net, shape),
+        }
+    }
+
+    /// The shape in the coordinates in which the functions are affine, two in u and two in v.
+    ///
+    /// # Errors
+    /// [`SurfaceError::ShapeCount`] unless there is one number for each parameter.
+    pub fn coordinates(self, shape: &[f64]) -> Result<[f64; 4], SurfaceError> {
+        let expected = self.parameters().len();
+        let count = |_| SurfaceError::ShapeCount { family: self.title(), expected, found: shape.len() };
+        match self {
+            Self::Gt | Self::TbCoons => shape.try_into().map_err(count),
+        }
+    }
+
+    /// The coordinates of many shapes, one after the other.
+    ///
+    /// # Errors
+    /// [`SurfaceError::ShapeCount`] unless `shapes` holds whole shapes.
+    pub fn coordinates_of_all(self, shapes: &[f64]) -> Result<Cow<'_, [f64]>, SurfaceError> {
+        let expected = self.parameters().len();
+        if !shapes.len().is_multiple_of(expected) {
+            return Err(SurfaceError::ShapeCount { family: self.title(), expected, found: shapes.len() });
+        }
+        Ok(match self {
+            Self::Gt | Self::TbCoons => Cow::Borrowed(shapes),
+        })
+    }
+
+    /// A derivative by the [`coordinates`](Self::coordinates) as one by the parameters: the transpose of their Jacobian matrix.
+    #[must_use]
+    pub fn by_parameters(self, by_coordinates: [f64; 4]) -> Vec<f64> {
+        match self {
+            Self::Gt | Self::TbCoons => by_coordinates.to_vec(),
+        }
+    }
+
+    /// The products whose sum is a patch of degrees `(m, n)`, in the order of its [`products`](TensorPatch::products), each factor as
+    /// far as the shape moves it.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Basis`] for a degree that is not offered.
+    pub fn factors(self, (m, n): (usize, usize)) -> Result<Vec<[ShapeFactor; 2]>, SurfaceError> {
+        let gt =
+            |degree| -> Result<_, BasisError> { Ok(ShapeFactor::Affine(Arc::new(GtParts::new(degree)?))) };
+        let less = |degree| -> Result<_, SurfaceError> {
+            Ok(ShapeFactor::Constant(Arc::new(bernstein_less_blend(degree)?)))
+        };
+        let ends =
+            |degree| -> Result<_, SurfaceError> { Ok(ShapeFactor::Constant(Arc::new(end_blend(degree)?))) };
+        Ok(match self {
+            Self::Gt => vec![[gt(m)?, gt(n)?]],
+            Self::TbCoons => vec![[less(m)?, gt(n)?], [gt(m)?, less(n)?], [ends(m)?, ends(n)?]],
+        })
+    }
+
+    /// The derivatives of `patch`, one of this family, by its four [`coordinates`](Self::coordinates), the net held: patches of their own.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Size`] if `patch` is none of this family.
+    pub fn derivatives(self, patch: &TensorPatch) -> Result<[TensorPatch; 4], SurfaceError> {
+        let factors = self.factors(patch.net().degrees())?;
+        let by = |k: usize| -> Result<TensorPatch, SurfaceError> {
+            let mut products = Vec::new();
+            for ([u, v], whole) in factors.iter().zip(patch.products()) {
+                let moved = if k < 2 { u.derivative(k)? } else { v.derivative(k - 2)? };
+                products.extend(moved.map(|moved| match k < 2 {
+                    true => Product { u: moved, v: whole.v.clone() },
+                    false => Product { u: whole.u.clone(), v: moved },
+                }));
+            }
+            TensorPatch::new(products, patch.net().clone())
+        };
+        Ok([by(0)?, by(1)?, by(2)?, by(3)?])
+    }
+
+    /// The products of well-conditioned functions that span what the free points of a patch of degrees `(m, n)` move: as many as there
+    /// are free points, with the control points of [`Lobatto`] functions in each direction.
+    ///
+    /// # Errors
+    /// [`SurfaceError::ShapeCount`], [`SurfaceError::Basis`].
+    pub fn bubbles(self, (m, n): (usize, usize), shape: &[f64]) -> Result<Vec<Product>, SurfaceError> {
+        let [a1, a2, b1, b2] = self.coordinates(shape)?;
+        let gt = |degree, shape| -> Result<Arc<dyn Basis>, BasisError> {
+            Ok(Arc::new(GtBubbles::new(degree, shape)?))
+        };
+        Ok(match self {
+            Self::Gt => vec![Product { u: gt(m, [a1, a2])?, v: gt(n, [b1, b2])? }],
+            // B − ℓ is B in the interior, and ℓ ⊗ ℓ nothing.
+            Self::TbCoons => vec![
+                Product { u: polynomial_bubbles(m)?, v: gt(n, [b1, b2])? },
+                Product { u: gt(m, [a1, a2])?, v: polynomial_bubbles(n)? },
+            ],
+        })
+    }
+}
+
+/// The polynomials of degree `degree` that vanish at 0 and 1, as integrals of Legendre polynomials.
+///
+/// # Errors
+/// [`BasisError::Degree`] for a degree that is not offered.
+pub fn polynomial_bubbles(degree: usize) -> Result<Arc<dyn Basis>, BasisError> {
+    Ok(Arc::new(Lobatto::new(degree.saturating_sub(1), (0.0, 1.0))?))
+}
