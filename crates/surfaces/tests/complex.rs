@@ -282,3 +282,111 @@ proptest! {
         prop_assert!(mesh.normals.iter().all(|normal| (normal.norm() - 1.0).abs() < 1e-12));
     }
 }
+
+/// A grid of parallelograms under the graph of a polynomial of degree 2, the rim fixed on it, with a wing of two more faces along the line
+/// x = 2 where it has one: there three faces meet.
+fn graph_with_a_wing(has_wing: bool) -> (Complex, impl Fn(f64, f64) -> f64) {
+    let height = |x: f64, y: f64| 0.3 * x * x - 0.2 * x * y + 0.5 * y * y - 0.4 * x + 0.1;
+    let at = move |x: f64, y: f64| Point::new(x + 0.3 * y, y, height(x, y));
+    let mut corners: Vec<Point> = (0..9).map(|k| at(f64::from(k % 3) * 2.0, f64::from(k / 3))).collect();
+    let mut faces = vec![[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]];
+    let mut rim = vec![[0, 1], [1, 2], [2, 5], [5, 8], [8, 7], [7, 6], [6, 3], [3, 0]];
+    if has_wing {
+        corners.extend((0..3).map(|j| at(2.0, f64::from(j)) + Point::new(0.0, 0.0, 1.0)));
+        faces.extend([[1, 9, 10, 4], [4, 10, 11, 7]]);
+        rim.extend([[1, 9], [9, 10], [10, 11], [11, 7]]);
+    }
+    let curve = |[a, b]: [usize; 2]| {
+        // A parabola through its ends and middle.
+        let (p, q) = (corners[a], corners[b]);
+        let of = |p: Point| [p.x - 0.3 * p.y, p.y];
+        let ([x0, y0], [x1, y1]) = (of(p), of(q));
+        let up = if a >= 9 && b >= 9 { 1.0 } else { 0.0 };
+        let straight = x0 == x1 && y0 == y1;
+        let middle = at(0.5 * (x0 + x1), 0.5 * (y0 + y1)) + Point::new(0.0, 0.0, up);
+        let control = if straight { (p + q) * 0.5 } else { middle * 2.0 - (p + q) * 0.5 };
+        FixedEdge { ends: [a, b], curve: Bezier::new(vec![p, control, q]).unwrap() }
+    };
+    let fixed: Vec<FixedEdge> = rim.iter().map(|&ends| curve(ends)).collect();
+    let vertices: Vec<Vertex> = corners.iter().map(|&p| Vertex::Fixed(p)).collect();
+    let degree = 4;
+    let complex = Complex::new(degree, &vertices, &faces, &fixed).unwrap();
+    // Coons patches of quadratic borders miss the products of u and v: bend the inner edges and faces onto the graph.
+    let mut points = complex.points().to_vec();
+    for face in complex.faces().iter().take(4) {
+        let [a, b, _, d] = face.vertices().map(|v| corners[v]);
+        let of = |p: Point| [p.x - 0.3 * p.y, p.y];
+        let ([x0, y0], [x1, _], [_, y1]) = (of(a), of(b), of(d));
+        let blossom = |i: usize, j: usize| {
+            // Of x(u)^k y(v)^l with u, v in Bernstein form of degree 4: sums over the arguments of the blossom.
+            let (s, t) = (i as f64 / 4.0, j as f64 / 4.0);
+            let (x, y) = (x0 + (x1 - x0) * s, y0 + (y1 - y0) * t);
+            let (s2, t2) = ((i * i.saturating_sub(1)) as f64 / 12.0, (j * j.saturating_sub(1)) as f64 / 12.0);
+            let x2 = x0 * x0 + 2.0 * x0 * (x1 - x0) * s + (x1 - x0).powi(2) * s2;
+            let y2 = y0 * y0 + 2.0 * y0 * (y1 - y0) * t + (y1 - y0).powi(2) * t2;
+            Point::new(x + 0.3 * y, y, 0.3 * x2 - 0.2 * x * y + 0.5 * y2 - 0.4 * x + 0.1)
+        };
+        for (k, &node) in face.nodes().iter().enumerate() {
+            if !complex.fixed()[node] {
+                points[node] = blossom(k / 5, k % 5);
+            }
+        }
+    }
+    (complex.with_points(points).unwrap(), height)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Parts of a quadratic graph are bilinear in its arguments, so degree 4 holds them: layers change nothing. Edges are shared, also
+    /// by three faces, and the rim stays.
+    #[test]
+    fn layers_keep_what_the_degree_holds(
+        has_wing: bool,
+        chosen in prop::collection::vec(0..9_usize, 0..6),
+        share in 0.05..0.6f64,
+        [u, v] in prop::array::uniform2(0.0..1.0f64),
+    ) {
+        let (complex, height) = graph_with_a_wing(has_wing);
+        let graded = complex.graded(&chosen, share).unwrap();
+        let before = complex.vertices();
+        prop_assert_eq!(&graded.points()[..before], &complex.points()[..before]);
+        prop_assert_eq!(&graded.fixed()[..before], &complex.fixed()[..before]);
+        let fixed = |complex: &Complex| complex.edges().iter().filter(|edge| edge.is_fixed()).count();
+        prop_assert!(fixed(&graded) >= fixed(&complex) + chosen.iter().any(|&v| v != 4) as usize);
+        for edge in graded.edges() {
+            prop_assert_eq!(edge.uses().len() == 1, edge.is_fixed(), "an open edge");
+        }
+        for face in 0..graded.faces().len() {
+            let corners = graded.faces()[face].vertices().iter().filter(|v| chosen.contains(v)).count();
+            prop_assert!(corners < 2);
+            let point = graded.patch(face).unwrap().point(u, v);
+            // On the wing x − 0.3 y is 2.
+            let x = point.x - 0.3 * point.y;
+            let is_wing = has_wing && (x - 2.0).abs() < 1e-9 && point.z > height(x, point.y) + 1e-9;
+            if !is_wing {
+                prop_assert!((point.z - height(x, point.y)).abs() < 1e-13, "{:?}", point);
+            }
+        }
+    }
+}
+
+/// Three faces for one, at the share asked for; two corners at an edge have the strip between them halved.
+#[test]
+fn a_layer_is_where_it_should_be() {
+    let (complex, _) = graph_with_a_wing(false);
+    let one = complex.graded(&[0], 0.25).unwrap();
+    assert_eq!((one.faces().len(), one.vertices()), (6, 12));
+    let near = one.edges().iter().filter(|edge| edge.ends().contains(&0)).map(|edge| edge.ends()[1]);
+    let along: Vec<f64> = near.map(|v| one.points()[v]).map(|p| (p.x - 0.3 * p.y).max(p.y)).collect();
+    assert_eq!(along.len(), 2);
+    assert!(along.iter().any(|x| (x - 0.5).abs() < 1e-15) && along.iter().any(|y| (y - 0.25).abs() < 1e-15));
+    // 0 and 1 share an edge: its strip, two faces, is halved; then 0 has one face and 1 two.
+    let two = complex.graded(&[0, 1], 0.25).unwrap();
+    assert_eq!(two.faces().len(), 6 + 2 * 3);
+    assert!(matches!(complex.graded(&[9], 0.25), Err(ComplexError::UnknownVertex { vertex: 9, count: 9 })));
+    for share in [0.0, 1.0, f64::NAN] {
+        assert!(matches!(complex.graded(&[0], share), Err(ComplexError::Share { .. })));
+    }
+    assert_eq!(complex.graded(&[], 0.25).unwrap().faces().len(), 4);
+}

@@ -95,7 +95,7 @@ impl Complex {
 
     /// The Coons patch of a face's border: with control points in place of points, because Bernstein polynomials
     /// reproduce linear functions.
-    fn fill(&mut self, face: usize) {
+    pub(super) fn fill(&mut self, face: usize) {
         let p = self.degree();
         let nodes = self.layout.faces[face].nodes();
         let row =

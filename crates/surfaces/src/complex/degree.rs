@@ -44,9 +44,9 @@ fn raised_row(mut row: Vec<Point>, degree: usize) -> Vec<Point> {
     row
 }
 
-/// The net of degree (p, p), row by row, raised to (q, q).
-fn raised_net(net: Vec<Point>, p: usize, q: usize) -> Vec<Point> {
-    let rows: Vec<Vec<Point>> = net.chunks_exact(p + 1).map(|row| raised_row(row.to_vec(), q)).collect();
+/// The net of degree n along its rows, row by row, raised to (q, q).
+pub(super) fn raised_net(net: Vec<Point>, n: usize, q: usize) -> Vec<Point> {
+    let rows: Vec<Vec<Point>> = net.chunks_exact(n + 1).map(|row| raised_row(row.to_vec(), q)).collect();
     let columns: Vec<Vec<Point>> =
         (0..=q).map(|j| raised_row(rows.iter().map(|row| row[j]).collect(), q)).collect();
     (0..=q).flat_map(|i| columns.iter().map(move |column| column[i])).collect()

@@ -113,6 +113,12 @@ pub enum ComplexError {
         /// The vertex.
         vertex: usize,
     },
+    /// A layer of faces was to be made of no width, or of all.
+    #[error("a layer around corners takes a share of the faces there between 0 and 1, not {share}")]
+    Share {
+        /// The share asked for.
+        share: f64,
+    },
     /// A list of control points has the wrong length.
     #[error("this complex has {expected} control points, got {found}")]
     Points {

@@ -3,9 +3,11 @@
 mod coons;
 mod degree;
 mod error;
+mod graded;
 mod layout;
 mod mesh;
 mod orientation;
+mod refined;
 
 pub use error::ComplexError;
 pub use layout::{Edge, EdgeUse, Face, Side};
@@ -14,6 +16,7 @@ pub use orientation::Orientation;
 
 use crate::net::extent;
 use crate::{Bezier, Net, Point, SurfaceError, TensorPatch};
+use degree::raised_net;
 use layout::Layout;
 
 /// A corner of faces, as [`Complex::new`] is given it.
@@ -117,6 +120,31 @@ impl Complex {
         }
         let mut complex = Self { layout, points, fixed };
         complex.start(vertices)?;
+        Ok(complex)
+    }
+
+    /// The complex of one face with the surface of a Bernstein–Bézier net, its lower degree raised to the other: points on the border
+    /// are fixed, all others free.
+    ///
+    /// # Errors
+    /// [`ComplexError::Degree`] for a net of degree 0 or above [`Bezier::MAX_DEGREE`].
+    pub fn of_net(net: &Net) -> Result<Self, ComplexError> {
+        let (m, n) = net.degrees();
+        let row = |i: usize| (0..=n).map(|j| net.points()[(n + 1) * i + j]).collect::<Vec<_>>();
+        let column = |j: usize| (0..=m).map(|i| net.points()[(n + 1) * i + j]).collect::<Vec<_>>();
+        let side = |ends: [usize; 2], points| FixedEdge { ends, curve: Bezier { points } };
+        let sides = [([0, 1], column(0)), ([1, 2], row(m)), ([3, 2], column(n)), ([0, 3], row(0))];
+        let corners = [(0, 0), (m, 0), (m, n), (0, n)];
+        let vertices = corners.map(|(i, j)| Vertex::Fixed(net.points()[(n + 1) * i + j]));
+        let degree = m.max(n);
+        let fixed = sides.map(|(ends, points)| side(ends, points));
+        let mut complex = Self::new(degree, &vertices, &[[0, 1, 2, 3]], &fixed)?;
+        let net = raised_net(net.points().to_vec(), n, degree);
+        for (&node, point) in complex.layout.faces[0].nodes().iter().zip(net) {
+            if !complex.fixed[node] {
+                complex.points[node] = point;
+            }
+        }
         Ok(complex)
     }
 
