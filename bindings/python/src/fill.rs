@@ -27,6 +27,8 @@ pub(crate) struct Options {
     weld: Option<f64>,
     corner_angle: Option<f64>,
     bound: bool,
+    layers: usize,
+    accuracy: Option<f64>,
     way: Option<String>,
     mesh: usize,
 }
@@ -52,6 +54,8 @@ impl Options {
         let mut fill = Fill::default()
             .with_energy(self.energy())
             .with_tolerance(self.tolerance)
+            .with_layers(self.layers)
+            .with_accuracy(self.accuracy)
             .with_bound(self.bound)
             .with_mesh(self.mesh);
         if let Some(degree) = self.degree {

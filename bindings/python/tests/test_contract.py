@@ -115,3 +115,17 @@ def test_a_lower_bound_is_below_every_surface(sides: dict[str, np.ndarray]) -> N
     rings = [pp.Curve.circle([0, 0, z], [0, 0, 1], 1.0) for z in (-0.3, 0.3)]
     catenoid = pp.fill(rings, degree=4, bound=True)
     assert catenoid.lower_bound is None and any("no lower bound" in warning for warning in catenoid.warnings)
+
+
+def test_layers_and_accuracy_are_those_of_the_command() -> None:
+    corners = [[0, 0, 0], [2, 0, 0.5], [2, 1, 0], [1, 1, 0.6], [1, 2, 0], [0, 2, 0.5]]
+    sides = [np.array([a, b], dtype=float) for a, b in zip(corners, [*corners[1:], corners[0]])]
+    least = 3.18050100361
+    without, layer = pp.fill([sides]), pp.fill([sides], layers=1)
+    assert len(layer.faces) > len(without.faces)
+    assert abs(layer.area - least) < 1e-10 < without.area - least < 1e-7
+    near = pp.fill([sides], accuracy=3e-9)
+    assert near.area - least < 1e-8
+    for wrong in ({"layers": 2}, {"accuracy": 1.0}, {"layers": 1, "energy": "dirichlet"}):
+        with pytest.raises(pp.BoundaryError):
+            pp.fill([sides], **wrong)

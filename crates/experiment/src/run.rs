@@ -118,6 +118,7 @@ fn films(experiment: &FilmExperiment, mesh: usize, progress: &dyn Progress) -> V
         let fill = Fill::default()
             .with_energy(method.energy)
             .with_tolerance(method.tolerance)
+            .with_layers(method.layers)
             .with_accuracy(method.accuracy)
             .with_bound(method.bound)
             .with_mesh_in_all(mesh);

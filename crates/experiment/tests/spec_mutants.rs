@@ -435,7 +435,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("an accuracy of a Dirichlet energy", POLYGON, &[("\"area\"", "\"dirichlet\""), ("degree = 6", "accuracy = «1e-6»")], Conflict, &["accuracy", "energy = \"area\""]),
     mutant("a great accuracy", POLYGON, &[("degree = 6", "accuracy = «0.5»")], Inadmissible, &["accuracy", "0.01"]),
     mutant("three layers", POLYGON, &[("degree = 6", "layers = «3»")], Inadmissible, &["layers", "between 0 and 1"]),
-    mutant("one layer", POLYGON, &[("degree = 6", "layers = «1»")], Inadmissible, &["layers", "does not make"]),
+    mutant("a layer of a Dirichlet energy", POLYGON, &[("\"area\"", "\"dirichlet\""), ("degree = 6", "layers = «1»")], Conflict, &["layers", "energy = \"area\""]),
     mutant("tolerance of a Dirichlet energy", POLYGON, &[("\"area\"", "\"dirichlet\""), ("degree = 6", "tolerance = «1e-6»")], Conflict, &["tolerance", "energy = \"area\""]),
     mutant("expected shape over a polygon", POLYGON, &[("degree = 6", "expect.shape = «1.0»")], Conflict, &["shape", "loops"]),
     mutant("curve beside a polygon", POLYGON, &[("[[method]]", "«[[curve]]»\nname = \"x\"\npoints = [[0, 0, 0], [1, 1, 1]]\nends = [\"a\", \"b\"]\n[[method]]")], Conflict, &["[[curve]]", "loops"]),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, read_curves};
 use experiment::{ImportError, ImportOptions, Options, Plan};
-use plateau::{AreaEnd, Fill, Film, MethodError, Way};
+use plateau::{AreaEnd, Fill, Film, MethodError, Warning, Way};
 use record::{Destination, ExportError, ResultFile};
 
 use crate::command::{Failure, FillArguments, line, say};
@@ -51,7 +51,10 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     figures(&film, &assembly, stdout)?;
     stdout.flush()?;
     let title = title(&arguments.files[0]);
-    let experiment = || experiment::import_assembly(&assembly, &title, &options, &notes);
+    let experiment = || {
+        let text = experiment::import_assembly(&assembly, &title, &options, &notes)?;
+        Ok::<_, ImportError>(text + &more_keys(arguments))
+    };
     let mut sound = true;
     for (wanted, to) in &outputs {
         let written = match wanted {
@@ -79,6 +82,21 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
         }
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// Keys of the method, which ends an experiment, that only this command has options for.
+fn more_keys(arguments: &FillArguments) -> String {
+    let mut keys = String::new();
+    if arguments.layers > 0 {
+        keys += &format!("layers = {}\n", arguments.layers);
+    }
+    if let Some(accuracy) = arguments.accuracy {
+        keys += &format!("accuracy = {accuracy:?}\n");
+    }
+    if arguments.bound {
+        keys += "bound = true\n";
+    }
+    keys
 }
 
 /// The record of an experiment that is run.
@@ -139,6 +157,7 @@ fn curves(files: &[PathBuf]) -> Result<CurveFile, Failure> {
 
 fn spanned(frame: &Frame, arguments: &FillArguments) -> Result<Film, MethodError> {
     let mut fill = Fill::default()
+        .with_layers(arguments.layers.into())
         .with_accuracy(arguments.accuracy)
         .with_bound(arguments.bound)
         .with_mesh(arguments.mesh.into());
@@ -166,7 +185,12 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
         row("one by one", format!("{} with each loop spanned by itself", digits(discs)))?;
     }
     let (faces, degree) = (film.complex.faces().len(), film.complex.degree());
-    row("faces", format!("{faces} of degree {degree}: {}", way(film.way)))?;
+    let layers = match film.layers {
+        0 => String::new(),
+        1 => ", a layer of smaller ones around corners".to_owned(),
+        layers => format!(", {layers} layers of smaller ones around corners"),
+    };
+    row("faces", format!("{faces} of degree {degree}: {}{layers}", way(film.way)))?;
     if let Some(kink) = film.seams.kink {
         let degrees = |angle: f64| short(angle.to_degrees());
         row("kink", format!("at most {}°, root mean square {}°", degrees(kink.max), degrees(kink.rms)))?;
@@ -188,7 +212,8 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
         row("end", found.end.to_string())?;
     }
     for warning in &film.warnings {
-        row("warning", warning.to_string())?;
+        let is_note = matches!(warning, Warning::LayerSet { .. });
+        row(if is_note { "note" } else { "warning" }, warning.to_string())?;
     }
     Ok(())
 }

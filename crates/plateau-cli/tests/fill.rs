@@ -177,3 +177,41 @@ fn an_experiment_that_was_made_of_curves_finds_what_was_filled() {
         assert!(verified.status.success(), "{}{}", text(&verified.stdout), text(&verified.stderr));
     }
 }
+
+/// A hexagon with a re-entrant corner, by straight sides.
+const CONCAVE: &str = "v 0 0 0\nv 2 0 0.5\nv 2 1 0\nv 1 1 0.6\nv 1 2 0\nv 0 2 0.5\nl 1 2 3 4 5 6 1\n";
+
+#[test]
+fn a_layer_around_corners_comes_out_in_every_format() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("l.obj"), CONCAVE).unwrap();
+    let without = area(&fill(folder.path(), &["l.obj"]));
+    let outs = ["-o", "x.step", "-o", "x.obj", "-o", "x.toml", "-o", "x.json"];
+    let out = fill(folder.path(), &[&["l.obj", "--layers", "1"], &outs[..]].concat());
+    let with = area(&out);
+    let printed = text(&out.stdout);
+    assert!(printed.contains("42 of degree 6") && printed.contains("a layer of smaller ones"), "{printed}");
+    // The least area to twelve digits, by other patches of higher degrees within layers of other widths.
+    const LEAST: f64 = 3.180_501_003_610;
+    assert!((with - LEAST).abs() < 1e-10 && with < without && (without - LEAST).abs() < 1e-7);
+    let step = fs::read_to_string(folder.path().join("x.step")).unwrap();
+    assert_eq!((step.matches("OPEN_SHELL").count(), step.matches("ADVANCED_FACE").count()), (1, 42));
+    // Every edge is there once: a disc of 42 quads and 24 edges on the rim.
+    assert_eq!(step.matches("=EDGE_CURVE(").count(), (42 * 4 + 24) / 2);
+    let mesh = fs::read_to_string(folder.path().join("x.obj")).unwrap();
+    let (vertices, triangles) = (mesh.matches("\nv ").count(), mesh.matches("\nf ").count());
+    assert_eq!((vertices, triangles), (1 + (42 * 256 * 4 + 24 * 16) / 2 - 42 * 256, 42 * 2 * 256));
+    assert!(fs::read_to_string(folder.path().join("x.toml")).unwrap().contains("\nlayers = 1\n"));
+    let result = fs::read_to_string(folder.path().join("x.json")).unwrap();
+    let result: serde_json::Value = serde_json::from_str(&result).unwrap();
+    let method = &result["methods"][0];
+    assert_eq!(method["faces"].as_array().unwrap().len(), 42);
+    // Twelve digits are printed.
+    assert!((method["area"].as_f64().unwrap() / with - 1.0).abs() < 1e-11);
+    let verified = Command::new(env!("CARGO_BIN_EXE_plateau"))
+        .args(["verify", "x.json"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert!(verified.status.success(), "{}", text(&verified.stdout));
+}

@@ -1,6 +1,6 @@
 //! What areas are estimated to lie above the least, beside what they do: `cargo run --release -p plateau-patches --example effectivity`.
 //!
-//! The true excess is that over the area at a degree eight higher over the same rim.
+//! The true excess is that over the area at a degree six higher over the same rim, within two layers of smaller patches around corners.
 #![allow(clippy::print_stdout, reason = "the figures are the point")]
 
 #[path = "../tests/estimates/mod.rs"]

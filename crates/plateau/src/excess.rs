@@ -1,8 +1,11 @@
 //! What a surface is above the least area of its boundary, where that is estimated unasked.
 
+use surfaces::Complex;
+
 use crate::{
     AreaEstimate, AreaExtremal, Family, MethodError, NoEstimate, Progress, Surface, Warning, costs_less,
     estimate_complex, estimate_net, estimate_triangle, excess_of_complex, excess_of_net, excess_of_triangle,
+    odd_corners,
 };
 
 /// Degree above which what a surface lacks is not looked for unasked.
@@ -16,12 +19,13 @@ pub(crate) fn estimated(
     progress: &dyn Progress,
 ) -> Result<Option<f64>, MethodError> {
     let (m, n) = surface.degrees();
-    let faces = match surface {
-        Surface::Complex(complex) => complex.faces().len(),
-        Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_) => 1,
+    let (faces, at_corners) = match surface {
+        Surface::Complex(complex) => cells(complex),
+        Surface::Tensor(patch) if family == Family::Bernstein => cells(&Complex::of_net(patch.net())?),
+        Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_) => (1, 0),
     };
     match area {
-        Some(found) if costs_less(m.max(n), faces, found) => {
+        Some(found) if costs_less(m.max(n), faces, at_corners, found) => {
             let estimate = of_least_area((surface, family), found, progress)?;
             Ok(estimate.and_then(|estimate| told(estimate, warnings)))
         }
@@ -30,6 +34,15 @@ pub(crate) fn estimated(
         // Surfaces that are none to a Newton step are no failure of the method.
         None => Ok(of_any(surface, family).ok().flatten()),
     }
+}
+
+/// The faces of a complex once none has two odd corners, and how many of them have one.
+fn cells(complex: &Complex) -> (usize, usize) {
+    let corners = odd_corners(complex);
+    let of_face = |face: &surfaces::Face| face.vertices().iter().filter(|v| corners.contains(v)).count();
+    let counts: Vec<usize> = complex.faces().iter().map(of_face).collect();
+    let cut = counts.iter().filter(|count| **count > 1).map(|count| if *count > 2 { 3 } else { 1 });
+    (complex.faces().len() + cut.sum::<usize>(), counts.iter().sum())
 }
 
 /// An estimate, if it was made; else it is told why not.

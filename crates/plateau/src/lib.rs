@@ -35,6 +35,7 @@ mod boundary;
 mod boundary_figures;
 mod closed_form;
 mod context;
+mod corners;
 mod cost;
 mod curve;
 mod cutting;
@@ -75,6 +76,7 @@ pub use boundary::{
 pub use boundary_figures::BoundaryFigures;
 pub use closed_form::ClosedForm;
 pub use context::Context;
+pub use corners::odd_corners;
 pub use cost::Cost;
 pub use curve::{Curve, CurveBasis, CurveResult, sample};
 pub use cutting::{CurveGraph, CutBoundary, Cutting, CuttingError, FaceSide, GraphCurve, Loop, Way};
@@ -96,8 +98,8 @@ pub(crate) use least_area::costs_less;
 pub use least_area::{
     AreaEnd, AreaEstimate, AreaExtremal, NoEstimate, Stage, Start, ValleyEnd, dirichlet_complex,
     estimate_complex, estimate_net, estimate_triangle, excess_of_complex, excess_of_net, excess_of_triangle,
-    least_area, least_area_complex, least_area_from, least_area_raised, least_area_triangle,
-    least_area_triangle_from, least_area_triangle_raised,
+    least_area, least_area_complex, least_area_complex_near, least_area_from, least_area_raised,
+    least_area_triangle, least_area_triangle_from, least_area_triangle_raised,
 };
 pub use lower_bound::{CalibratedFace, Competitors, LowerBound, NoBound, lower_bound, lower_bound_of_net};
 pub use method::{

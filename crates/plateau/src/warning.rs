@@ -17,6 +17,22 @@ pub enum Warning {
         /// The degree of the patches.
         degree: usize,
     },
+    /// A layer of smaller patches was set for an accuracy that was asked for.
+    #[error(
+        "raising the degree to {degree} gained little because of corners: they have a layer of smaller patches around them"
+    )]
+    LayerSet {
+        /// The degree of the patches at which it was set.
+        degree: usize,
+    },
+    /// Layers of smaller patches were asked for and not all set.
+    #[error("{}", no_layer(*wanted, *set))]
+    NoLayer {
+        /// How many were asked for.
+        wanted: usize,
+        /// How many there are.
+        set: usize,
+    },
     /// A lower bound was asked for and not proved.
     #[error("no lower bound of the area: {0}")]
     NoBound(NoBound),
@@ -307,6 +323,7 @@ impl Warning {
             Self::BoxBinds { .. } | Self::Degenerate(_) | Self::CurveNearBound { .. } => None,
             Self::NoEstimate(_) => Some("raise the degree"),
             Self::Inaccurate { .. } => Some("give a higher degree"),
+            Self::LayerSet { .. } | Self::NoLayer { .. } => None,
             Self::NoBound(_) | Self::Welded { .. } | Self::LeftOut { .. } | Self::SpanCut { .. } => None,
             Self::SpanNearBound { .. } => Some("shorten the interval, or lengthen it: then it is cut"),
             Self::CurveSingular { .. } => Some("leave out these samples"),
@@ -317,6 +334,15 @@ impl Warning {
             Self::OneByOne { .. } => Some("span each loop by itself if the surface need not hang together"),
         }
     }
+}
+
+/// Why layers are not there.
+fn no_layer(wanted: usize, set: usize) -> String {
+    let more = if set == 0 { "" } else { " more" };
+    let layers = if wanted - set == 1 { "layer" } else { "layers" };
+    format!(
+        "no{more} {layers} of smaller patches: no corner needs one, it does not lower the area, or the surface without it is no stable minimum"
+    )
 }
 
 /// How the best values of several runs compare.

@@ -10,7 +10,7 @@ use surfaces::{Net, Point, discrete_coons};
 fn estimates_are_as_large_as_what_they_estimate() {
     let mut inside = 0;
     // Frames of every kind; the example `effectivity` prints all.
-    for frame in frames().iter().step_by(3) {
+    for frame in frames().iter().step_by(4) {
         let told = frame.told();
         let Told { above, ref estimate, .. } = told;
         let Ok(estimate) = *estimate else { continue };
@@ -23,7 +23,7 @@ fn estimates_are_as_large_as_what_they_estimate() {
         assert!((0.7..=1.5).contains(&effectivity), "{}: {estimate} of {above}", frame.name);
         inside += 1;
     }
-    assert!(inside >= 12, "{inside}");
+    assert!(inside >= 9, "{inside}");
 }
 
 #[test]

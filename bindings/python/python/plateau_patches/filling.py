@@ -31,6 +31,8 @@ class Options:
     weld: float | None
     corner_angle: float | None
     bound: bool
+    layers: int
+    accuracy: float | None
     way: str | None
     mesh: int
 
@@ -49,6 +51,8 @@ def fill(
     weld: float | None = None,
     corner_angle: float | None = None,
     bound: bool = False,
+    layers: int = 0,
+    accuracy: float | None = None,
     way: str | None = None,
     name: str = "",
     progress: Told | None = None,
@@ -72,6 +76,9 @@ def fill(
         weld: how far apart ends may lie to be one point, a length.
         corner_angle: turn in degrees above which a polyline has a corner; by default 44.
         bound: whether a lower bound of the least area is proved, too: :attr:`Surface.lower_bound`.
+        layers: 1 for a layer of smaller patches around the corners where a least area is not smooth.
+        accuracy: the degree rises, to 14 at most, until the area is estimated to lie less than this share above the least, and
+            corners that hold it up get a layer.
         way: how a loop is cut: ``"grid"``, ``"midpoint"``, ``"ring"``, ``"turned-ring"``, ``"parts"``; by default whatever leads
             to the best surface.
         name: of the surface.
@@ -102,8 +109,14 @@ def fill(
         raise BoundaryError(f"degree {degree} is not offered; give one from 1 to 64")
     if not 1e-12 <= tolerance <= 1e-2:
         raise BoundaryError(f"tolerance {tolerance} is not offered; give one from 1e-12 to 1e-2")
+    if layers not in (0, 1):
+        raise BoundaryError(f"{layers} layers are not offered; give 0 or 1")
+    if accuracy is not None and not 1e-12 <= accuracy <= 1e-2:
+        raise BoundaryError(f"accuracy {accuracy} is not offered; give one from 1e-12 to 1e-2")
+    if energy != "area" and (layers or accuracy is not None):
+        raise BoundaryError('layers and accuracy are for energy "area"')
     called = name or ("Least area" if energy == "area" else "Dirichlet")
-    options = Options(called, degree, energy, tolerance, rim_tolerance, weld, corner_angle, bound, way, 16)
+    options = Options(called, degree, energy, tolerance, rim_tolerance, weld, corner_angle, bound, layers, accuracy, way, 16)
     if (loops is None) == (faces is None):
         raise BoundaryError("give either loops or faces")
     if faces is not None:

@@ -262,13 +262,13 @@ pub(crate) static DEGREE: Key<Whole<usize>> = Key::new(
 .such_as("6")
 .over(&[LOOPS]);
 pub(crate) static LAYERS: Key<Whole<usize>> =
-    Key::new("layers", Whole::between(0, 1), "the number of graded layers of patches at the corners")
+    Key::new("layers", Whole::between(0, 1), "for energy = \"area\": layers of smaller patches around corners where the surface is not smooth, all but those of 180°/k between straight sides; without the key `accuracy` sets one where raising the degree gains little")
         .or("0")
         .over(&[LOOPS]);
 pub(crate) static ACCURACY: Key<Interval> = Key::new(
     "accuracy",
     Interval::between(1e-12, 1e-2),
-    "for energy = \"area\": the degree rises, to 14 at most, until the area is estimated to lie less than this share above the least",
+    "for energy = \"area\": the degree rises, to 14 at most, until the area is estimated to lie less than this share above the least; corners that hold it up get a layer",
 )
 .such_as("1e-8")
 .over(&[LOOPS]);

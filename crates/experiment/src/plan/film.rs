@@ -37,6 +37,8 @@ pub struct FilmMethod {
     pub energy: FillEnergy,
     /// The degree of every patch, if the file gives one.
     pub degree: Option<usize>,
+    /// Layers of smaller patches around corners, 0 or 1; only for [`FillEnergy::Area`].
+    pub layers: usize,
     /// For [`FillEnergy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
     pub tolerance: f64,
     /// For [`FillEnergy::Area`]: the share of the least area that the area may lie above it, in [1e-12, 1e-2]; the degree rises for it.
@@ -59,7 +61,8 @@ pub(super) fn methods(named: Vec<Named<'_>>, header: &Range<usize>) -> Option<Ve
 
 fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted)> {
     let degree = table.take(&DEGREE).known();
-    let layers = table.take_or_default(&LAYERS).filter(|layers| *layers == 0 || are_no_layers(table));
+    let layers_given = table.take(&LAYERS);
+    let layers = table.or_default(&LAYERS, &layers_given);
     let tolerance_given = table.take(&TOLERANCE);
     let energy = energy(table, &table.take(&ENERGY));
     let tolerance = table.or_default(&TOLERANCE, &tolerance_given);
@@ -78,30 +81,20 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
         (Some(_) | None, _) => true,
     };
     let fits = only_of_areas("tolerance", tolerance_given.span())
+        & only_of_areas("layers", layers_given.span().filter(|_| layers.is_some_and(|layers| layers > 0)))
         & only_of_areas("accuracy", accuracy_given.span())
         & only_of_areas("bound", bound_given.span().filter(|_| bound == Some(true)));
     let wanted = wanted_of(table, Some(Subject::Film));
-    layers?;
     let method = FilmMethod {
         name: name?,
         energy: energy?,
         degree: degree?.map(|degree| degree.into_inner()),
+        layers: layers?,
         tolerance: tolerance?,
         accuracy: accuracy_given.known()?.map(|accuracy| accuracy.into_inner()),
         bound: bound?,
     };
     fits.then_some((method, wanted?))
-}
-
-/// Reports layers, which are not made yet.
-fn are_no_layers(table: &Table<'_>) -> bool {
-    table.faults().inadmissible(
-        table.place(&["layers"]).unwrap_or(table.span()),
-        format!("{} asks for graded layers, which this version does not make", table.name()),
-        "only 0",
-        "leave `layers` out: a higher `degree` makes corners more exact, too",
-    );
-    false
 }
 
 fn energy(table: &Table<'_>, given: &Given<Energy>) -> Option<FillEnergy> {

@@ -40,6 +40,7 @@ pub struct Fill {
     rim_tolerance: Option<f64>,
     corner_angle: f64,
     way: Option<Way>,
+    layers: usize,
     accuracy: Option<f64>,
     bound: bool,
     mesh: Meshing,
@@ -65,6 +66,7 @@ impl Default for Fill {
             rim_tolerance: None,
             corner_angle: Cutting::CORNER_ANGLE,
             way: None,
+            layers: 0,
             accuracy: None,
             bound: false,
             mesh: Meshing::PerPatch(16),
@@ -81,6 +83,9 @@ impl Fill {
 
     /// Share of the size of the boundary by which its rim may deviate from curves that cannot be met exactly.
     pub const RIM_TOLERANCE: f64 = 1e-6;
+
+    /// Most layers of smaller patches around corners.
+    pub const MOST_LAYERS: usize = 4;
 
     /// Patches of this degree.
     #[must_use]
@@ -124,8 +129,16 @@ impl Fill {
         self
     }
 
-    /// Raises the degree until the area is estimated to lie less than this share above the least, up to degree 14. The rim stays as it was met
-    /// at first.
+    /// Sets layers of smaller patches around the corners of the rim where a surface of least area is not smooth ([`odd_corners`](crate::odd_corners)), one
+    /// in the other, at most [`Self::MOST_LAYERS`]. A layer that does not lower the area is not kept; nor is any where the area is not minimised.
+    #[must_use]
+    pub fn with_layers(mut self, layers: usize) -> Self {
+        self.layers = layers.min(Self::MOST_LAYERS);
+        self
+    }
+
+    /// Raises the degree until the area is estimated to lie less than this share above the least, up to degree 14; where that gains little
+    /// because of odd corners, they get a layer of smaller patches. The rim stays as it was met at first.
     #[must_use]
     pub fn with_accuracy(mut self, accuracy: impl Into<Option<f64>>) -> Self {
         self.accuracy = accuracy.into();
@@ -217,21 +230,31 @@ impl Fill {
             FillEnergy::Dirichlet => (dirichlet_complex(cut.complex(), progress)?, None),
         };
         let seams = Seams::of(&complex)?;
-        Ok(Solution { cut: cut.clone(), complex, extremal, seams })
+        let names = cut.names().to_vec();
+        Ok(Solution { cut: cut.clone(), complex, names, layers: 0, extremal, seams })
     }
 
     fn film(
         &self,
-        solution: Solution,
+        mut solution: Solution,
         tried: Vec<Tried>,
         one_by_one: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<Film, MethodError> {
-        let (solution, estimate) = match self.accuracy {
-            Some(accuracy) => self.accurate(accuracy, solution, progress)?,
-            None => (solution, None),
-        };
-        let Solution { cut, complex, extremal, seams } = solution;
+        for _ in 0..self.layers {
+            solution = self.layered(solution, progress)?;
+        }
+        let mut notes = Vec::new();
+        if solution.layers < self.layers {
+            notes.push(Warning::NoLayer { wanted: self.layers, set: solution.layers });
+        }
+        let mut estimate = None;
+        if let Some(accuracy) = self.accuracy {
+            let reached = self.accurate(accuracy, solution, progress)?;
+            (solution, estimate) = (reached.solution, reached.estimate);
+            notes.extend(reached.note);
+        }
+        let Solution { cut, complex, names, layers, extremal, seams } = solution;
         let subdivisions = match self.mesh {
             Meshing::PerPatch(subdivisions) => subdivisions,
             Meshing::InAll(subdivisions) => per_face(&complex, subdivisions),
@@ -245,7 +268,8 @@ impl Fill {
         let patches: Vec<&dyn surfaces::Patch> = patches.iter().filter_map(Surface::patch).collect();
         let figures = Figures::of_all(&patches, &mesh.mesh)?;
         let mut film = Film {
-            names: cut.names().to_vec(),
+            names,
+            layers,
             way: cut.way(),
             rim: cut.deviation(),
             welded: cut.welded(),
@@ -258,9 +282,9 @@ impl Fill {
             bound: None,
             tried,
             mesh,
-            warnings: Vec::new(),
+            warnings: notes,
         };
-        film.warnings = film.warned()?;
+        film.warnings.extend(film.warned()?);
         let surface = Surface::Complex(film.complex.clone());
         let found = (&surface, Family::Complex, film.extremal.as_ref());
         film.estimate = match estimate {
@@ -292,8 +316,12 @@ pub fn fill(loops: &[Loop], degree: usize) -> Result<Film, MethodError> {
 
 /// A cut boundary with the surface over it.
 pub(super) struct Solution {
-    cut: CutBoundary,
+    pub(super) cut: CutBoundary,
     pub(super) complex: Complex,
+    /// The names of its vertices.
+    pub(super) names: Vec<String>,
+    /// Layers of smaller patches around its corners.
+    pub(super) layers: usize,
     pub(super) extremal: Option<AreaExtremal>,
     pub(super) seams: Seams,
 }
@@ -360,9 +388,10 @@ impl Film {
         }
     }
 
-    /// That an annulus pinches: it is unstable, or was left thin and not stationary.
+    /// That an annulus pinches: it is unstable, or was left thin and not stationary. With layers around corners its faces are no rings; it
+    /// had none unless it was a minimum without.
     fn pinches(&self) -> Result<Option<Warning>, MethodError> {
-        let (Some(found), Way::Annulus) = (&self.extremal, self.way) else { return Ok(None) };
+        let (Some(found), Way::Annulus, 0) = (&self.extremal, self.way, self.layers) else { return Ok(None) };
         let Some(waist) = pinch::thinnest(&self.complex)? else { return Ok(None) };
         let is_stuck = found.end != AreaEnd::Stationary && waist.length < PINCHING * waist.rim;
         let is_unstable = found.second_variation.is_some_and(|smallest| smallest < 0.0);

@@ -4,6 +4,7 @@ mod accuracy;
 mod degree;
 mod disc;
 mod fill;
+mod layers;
 mod pinch;
 
 use surfaces::{Complex, ComplexMesh, Deviation, Point};
@@ -25,6 +26,8 @@ pub struct Film {
     pub names: Vec<String>,
     /// How the boundary was cut.
     pub way: Way,
+    /// Layers of smaller patches around corners, one in the other.
+    pub layers: usize,
     /// How far its rim is from the curves that were given, and what that can mean for the area.
     pub rim: Deviation,
     /// The largest distance of ends of curves that were made one point.

@@ -12,7 +12,8 @@ use super::space::Space;
 use super::tensor::Separated;
 use super::triangle::Triangular;
 use super::{AreaEnd, AreaExtremal};
-use crate::{MethodError, Progress};
+use crate::corners::graded;
+use crate::{MethodError, Progress, odd_corners};
 
 /// What the area of a surface is above the least area of its border, as far as that can be told.
 pub type AreaEstimate = Result<f64, NoEstimate>;
@@ -57,7 +58,9 @@ const CONVERGED: f64 = 1e-12;
 const RESOLVED: f64 = 10.0;
 
 /// What the area of a complex of least area is above the least area of its rim. The complexes of the next degrees are reached from
-/// this one, which they hold; what they gain is continued as a geometric series (Aitken's Δ²).
+/// this one, which they hold; what they gain is continued as a geometric series (Aitken's Δ²). Where polynomials converge slowly towards
+/// corners ([`odd_corners`]), a second series has with every degree one more layer of smaller patches around these; that which
+/// reaches the lower area is believed.
 ///
 /// # Errors
 /// As [`least_area_complex`](super::least_area_complex).
@@ -66,10 +69,12 @@ pub fn estimate_complex(
     found: &AreaExtremal,
     progress: &dyn Progress,
 ) -> Result<AreaEstimate, MethodError> {
-    sequence(complex.clone(), found, |lower| {
-        let raised = lower.with_degree(lower.degree() + 1)?;
+    let raised = |lower: &Complex| lower.with_degree(lower.degree() + 1);
+    let by_degree = sequence(complex.clone(), found, |lower| {
+        let raised = raised(lower)?;
         improved(&Glued::new(&raised)?, &raised, progress)
-    })
+    })?;
+    at_corners(by_degree, complex, found, progress)
 }
 
 /// What the area of the Bernstein–Bézier patch of least area on `net` is above the least area of its border: as [`estimate_complex`].
@@ -81,10 +86,29 @@ pub fn estimate_net(
     found: &AreaExtremal,
     progress: &dyn Progress,
 ) -> Result<AreaEstimate, MethodError> {
-    sequence(TensorPatch::bernstein(net.clone())?, found, |lower| {
+    let by_degree = sequence(TensorPatch::bernstein(net.clone())?, found, |lower| {
         let raised = TensorPatch::bernstein(lower.net().raised(1))?;
         improved(&Separated::new(&raised, &raised.products()[0])?, &raised, progress)
-    })
+    })?;
+    at_corners(by_degree, &Complex::of_net(net)?, found, progress)
+}
+
+/// The estimate from degrees, unless the complex has corners where layers lead lower.
+fn at_corners(
+    by_degree: Series,
+    complex: &Complex,
+    found: &AreaExtremal,
+    progress: &dyn Progress,
+) -> Result<AreaEstimate, MethodError> {
+    let corners = odd_corners(complex);
+    if corners.is_empty() || by_degree.lowest.is_nan() {
+        return Ok(by_degree.estimate);
+    }
+    let by_layers = sequence(complex.clone(), found, |lower| {
+        let finer = graded(&lower.with_degree(lower.degree() + 1)?, &corners)?;
+        improved(&Glued::new(&finer)?, &finer, progress)
+    })?;
+    Ok(if by_layers.lowest <= by_degree.lowest { by_layers.estimate } else { by_degree.estimate })
 }
 
 /// What the area of the triangular patch of least area on `net` is above the least area of its border: as [`estimate_complex`].
@@ -96,23 +120,30 @@ pub fn estimate_triangle(
     found: &AreaExtremal,
     progress: &dyn Progress,
 ) -> Result<AreaEstimate, MethodError> {
-    sequence(TrianglePatch::new(net.clone())?, found, |lower| {
+    let by_degree = sequence(TrianglePatch::new(net.clone())?, found, |lower| {
         let raised = TrianglePatch::new(lower.net().raised(1)?)?;
         improved(&Triangular::new(raised.net())?, &raised, progress)
-    })
+    })?;
+    Ok(by_degree.estimate)
 }
 
 /// Newton steps that an estimate makes at each of two degrees, about.
 const COUNTED: f64 = 4.0;
 
-/// Nodes up to which an estimate takes no time to speak of.
+/// Nodes up to which an estimate takes no time to speak of, and with layers around corners, of which there are few.
 const FEW: usize = 400;
+const FEW_AT_CORNERS: usize = 1700;
 
-/// Whether an estimate costs less than the surface did: a step is counted with the sixth power of the degree, as its factorisations are.
-pub(crate) fn costs_less(degree: usize, faces: usize, found: &AreaExtremal) -> bool {
+/// Whether an estimate costs less than the surface did, of so many faces, `at_corners` of them at corners where layers are tried: a step
+/// is counted with the sixth power of the degree, as its factorisations are.
+pub(crate) fn costs_less(degree: usize, faces: usize, at_corners: usize, found: &AreaExtremal) -> bool {
     let step = |degree: usize| (degree as f64 + 1.0).powi(6);
-    let is_small = faces * (degree + 3).pow(2) <= FEW;
-    is_small || COUNTED * (step(degree + 1) + step(degree + 2)) <= found.iterations as f64 * step(degree)
+    // A layer makes three faces of each at a corner.
+    let [one, two] = [1, 2].map(|layers| faces + 2 * layers * at_corners);
+    let few = if at_corners == 0 { FEW } else { FEW_AT_CORNERS };
+    let is_small = two * (degree + 3).pow(2) <= few;
+    let steps = one as f64 * step(degree + 1) + two as f64 * step(degree + 2);
+    is_small || COUNTED * steps <= (found.iterations * faces) as f64 * step(degree)
 }
 
 /// Degrees that a surface is raised by to see what it lacks.
@@ -191,33 +222,44 @@ fn improved<S: Space>(
     Ok((space.surface(&reached.surface.x)?, area, error))
 }
 
-/// The estimate from the areas of one degree after the other.
+/// What areas that fall one after the other lead to.
+struct Series {
+    /// The lowest of them; not a number where none was looked for.
+    lowest: f64,
+    estimate: AreaEstimate,
+}
+
+/// The estimate from the areas of one surface after the other, each finer than that before.
 fn sequence<P>(
     surface: P,
     found: &AreaExtremal,
     mut next: impl FnMut(&P) -> Result<Improved<P>, MethodError>,
-) -> Result<AreaEstimate, MethodError> {
+) -> Result<Series, MethodError> {
     if found.end != AreaEnd::Stationary || !found.area.settled {
-        return Ok(Err(NoEstimate::NotReached));
+        return Ok(Series { lowest: f64::NAN, estimate: Err(NoEstimate::NotReached) });
     }
     let area = found.area.value;
     let (one, first, first_error) = next(&surface)?;
     let (two, second, second_error) = next(&one)?;
+    let mut lowest = first.min(second);
     let error = found.area.error.max(first_error).max(second_error).max(ROUNDING * area);
     let (mut gained, mut then) = (area - first, first - second);
     if gained + then <= RESOLVED * error {
         let is_rounding = error <= CONVERGED * area;
         let gained = (gained + then).max(error);
-        return Ok(if is_rounding { Ok(gained) } else { Err(NoEstimate::Unresolved { gained, error }) });
+        let estimate = if is_rounding { Ok(gained) } else { Err(NoEstimate::Unresolved { gained, error }) };
+        return Ok(Series { lowest, estimate });
     }
     if then > FALLING * gained {
         // What is symmetric gains at every second degree only, and what falls off slowly is continued from further on.
         let (three, ..) = next(&two)?;
         let (_, fourth, _) = next(&three)?;
         (gained, then) = (area - second, second - fourth);
+        lowest = lowest.min(fourth);
     }
-    if then > FALLING_TWO * gained {
-        return Ok(Err(NoEstimate::Slow { first: gained, second: then }));
-    }
-    Ok(Ok(gained / (1.0 - then.max(0.0) / gained)))
+    let estimate = match then > FALLING_TWO * gained {
+        true => Err(NoEstimate::Slow { first: gained, second: then }),
+        false => Ok(gained / (1.0 - then.max(0.0) / gained)),
+    };
+    Ok(Series { lowest, estimate })
 }

@@ -135,6 +135,18 @@ pub fn least_area_complex(
     minimise(&Glued::new(complex)?, None, starts, tolerance, progress)
 }
 
+/// As [`least_area_complex`], from a complex that is near that of least area, such as a finer one on the surface of another.
+///
+/// # Errors
+/// As [`least_area`].
+pub fn least_area_complex_near(
+    complex: &Complex,
+    tolerance: f64,
+    progress: &dyn Progress,
+) -> Result<(Complex, AreaExtremal), MethodError> {
+    minimise(&Glued::new(complex)?, Some(complex), &[], tolerance, progress)
+}
+
 /// The complex with the faces, edges and fixed points of `complex` whose Dirichlet energy ½∫(E + G) is least, every face over
 /// a unit square.
 ///

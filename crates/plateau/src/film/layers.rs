@@ -1,0 +1,40 @@
+//! Layers of smaller patches around corners.
+
+use std::collections::HashSet;
+
+use super::fill::{Fill, Solution};
+use crate::corners::graded;
+use crate::{AreaEnd, AreaExtremal, MethodError, Progress, Seams, least_area_complex_near, odd_corners};
+
+impl Fill {
+    /// The surface with one layer more around its odd corners; as it is where there is none, or the layer does not lower the area, or it was
+    /// no stable minimum before.
+    pub(super) fn layered(
+        &self,
+        solution: Solution,
+        progress: &dyn Progress,
+    ) -> Result<Solution, MethodError> {
+        let corners = odd_corners(&solution.complex);
+        let is_minimum = |found: &AreaExtremal| {
+            found.end == AreaEnd::Stationary && found.second_variation.is_none_or(|least| least >= 0.0)
+        };
+        let Some(coarse) = solution.extremal.filter(|found| is_minimum(found) && !corners.is_empty()) else {
+            return Ok(solution);
+        };
+        let fine = graded(&solution.complex, &corners)?;
+        let (complex, found) = least_area_complex_near(&fine, self.tolerance, progress)?;
+        let seams = Seams::of(&complex)?;
+        if found.area.value >= coarse.area.value || seams.folds() && !solution.seams.folds() {
+            return Ok(solution);
+        }
+        let names = more_names(&solution.names, complex.vertices());
+        Ok(Solution { complex, names, layers: solution.layers + 1, extremal: Some(found), seams, ..solution })
+    }
+}
+
+/// These names and new ones `#1`, `#2`, … that none of them is, `count` in all.
+fn more_names(names: &[String], count: usize) -> Vec<String> {
+    let taken: HashSet<&String> = names.iter().collect();
+    let new = (1..).map(|k| format!("#{k}")).filter(|name| !taken.contains(name));
+    names.iter().cloned().chain(new).take(count).collect()
+}
