@@ -44,6 +44,28 @@ wheels:
 ci:
     bash .ci/run
 
+# An archive for people without Rust into target/archive: the command, its manual page, completions, licences.
+archive:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    cargo build --release -p plateau-cli
+    version=$(target/release/plateau --version | cut -d' ' -f2)
+    name=plateau-$version-$(rustc -vV | sed -n 's/^host: //p')
+    rm -rf "target/archive/$name"
+    mkdir -p "target/archive/$name/completions" "target/archive/$name/man/man1"
+    cp target/release/plateau README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE "target/archive/$name/"
+    target/release/plateau man > "target/archive/$name/man/man1/plateau.1"
+    target/release/plateau completions bash > "target/archive/$name/completions/plateau.bash"
+    target/release/plateau completions zsh > "target/archive/$name/completions/_plateau"
+    target/release/plateau completions fish > "target/archive/$name/completions/plateau.fish"
+    target/release/plateau completions powershell > "target/archive/$name/completions/_plateau.ps1"
+    tar -C target/archive -czf "target/archive/$name.tar.gz" "$name"
+    tar -tzf "target/archive/$name.tar.gz"
+
+# The first five minutes of somebody new, timed step by step: README, a boundary of one's own, a STEP file.
+first-minutes:
+    bash .ci/first-minutes
+
 # Criterion benchmarks; `just bench parametric` runs one group.
 bench *FILTER:
     cargo bench -p plateau-benches -- {{FILTER}}

@@ -25,7 +25,7 @@ pub(crate) fn page(
     watched(py, None, |_| {
         let methods: Vec<MethodResult> =
             surfaces.iter().map(|surface| surface.shown()).collect::<PyResult<_>>()?;
-        let results = Results { title: title.to_owned(), methods, curve: None, warnings };
+        let results = Results { title: title.to_owned(), methods, curves: Vec::new(), warnings };
         let scene = Scene::of(&results);
         let pictures = show::pictures(&results, scene.as_ref());
         let about = About {

@@ -22,6 +22,6 @@ mod writers;
 pub use assembly::{Assembly, AssemblyError, AssemblyOptions, Form, Frame, FrameError, Side, Walk, Weld};
 pub use curves::{CurveFile, CurveFileError, FileCurve, Kind, Shape, read_curves};
 pub use writers::{
-    Colours, DEFAULT_TOLERANCE, Format, Subject, SurfaceFile, SurfaceForm, Unfit, diagonal, write_curve,
+    Colours, DEFAULT_TOLERANCE, Format, Subject, SurfaceFile, SurfaceForm, Unfit, diagonal, write_curves,
     write_deformation,
 };

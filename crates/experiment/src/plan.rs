@@ -68,8 +68,8 @@ pub enum Experiment {
     TrapeziumHelicoid(TrapeziumHelicoid),
     /// `[net]`: a surface of which every control point is given.
     Net(OwnNet),
-    /// `[curve]`: one curve, sampled.
-    Curve(Curve),
+    /// `[curve]`: one curve, sampled; with several shapes, one curve for each, all else the same.
+    Curve(Vec<Curve>),
 }
 
 /// What is written beside `result.json`.

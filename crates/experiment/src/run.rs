@@ -62,7 +62,7 @@ pub fn run_kept(
 ) -> Result<Finished, MethodError> {
     let (seed, arithmetic) = (options.seed.unwrap_or(plan.seed), options.arithmetic);
     let mut results =
-        Results { title: plan.title.clone(), methods: Vec::new(), curve: None, warnings: Vec::new() };
+        Results { title: plan.title.clone(), methods: Vec::new(), curves: Vec::new(), warnings: Vec::new() };
     let mut wanted = plan.wanted.clone();
     let mesh = plan.output.mesh;
     match &plan.experiment {
@@ -81,11 +81,14 @@ pub fn run_kept(
         }
         Experiment::TrapeziumHelicoid(helicoid) => results.methods = vec![trapezium(helicoid, mesh)],
         Experiment::Net(net) => results.methods = vec![of_net(net, mesh)],
-        Experiment::Curve(curve) => {
-            let sampled = sample(curve)?;
+        Experiment::Curve(curves) => {
             results.warnings.extend(without_mesh(&plan.output));
-            results.warnings.extend(sampled.warnings().iter().map(ToString::to_string));
-            results.curve = Some(sampled);
+            for curve in curves {
+                let sampled = sample(curve)?;
+                let of = if curves.len() > 1 { format!("{}: ", sampled.name) } else { String::new() };
+                results.warnings.extend(sampled.warnings().iter().map(|warning| format!("{of}{warning}")));
+                results.curves.push(sampled);
+            }
         }
     }
     Ok(Finished { results, seed, arithmetic, wanted })
@@ -181,10 +184,9 @@ impl Finished {
         let of_methods = self.results.methods.iter().zip(&self.wanted).flat_map(|(method, wanted)| {
             wanted.expect.iter().map(|e| (method.name.as_str(), e, method.figure(e.quantity)))
         });
-        let of_curve =
-            self.results.curve.iter().zip(&self.wanted).flat_map(|(curve, wanted)| {
-                wanted.expect.iter().map(|e| ("curve", e, curve.figure(e.quantity)))
-            });
-        of_methods.chain(of_curve)
+        let of_curves = self.results.curves.first().into_iter().zip(&self.wanted).flat_map(|(_, wanted)| {
+            wanted.expect.iter().map(|e| ("curve", e, self.results.figure_of_curves(e.quantity)))
+        });
+        of_methods.chain(of_curves)
     }
 }

@@ -301,7 +301,7 @@ fn curves() {
         samples = [0.0, 0.25, 1.0] # parameters in the basis' domain, or a count
     "#;
     let curve = |text: &str| match plan(text).experiment {
-        Experiment::Curve(curve) => curve,
+        Experiment::Curve(mut curves) if curves.len() == 1 => curves.remove(0),
         other => panic!("{other:?}"),
     };
     let found = curve(text);

@@ -113,6 +113,25 @@ pub(crate) struct RunArguments {
 pub(crate) enum Drawing {
     /// The functions of a basis over their parameter; a panel for each shape or span. `plateau draw basis aht > aht.svg` is AHT Figure 2
     Basis(BasisArguments),
+    /// The geometric construction of the net of a helicoid over a trapezium, AT Theorems 1 to 3; by default that of AT Figure 6
+    Construction(ConstructionArguments),
+}
+
+/// What `draw construction` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ConstructionArguments {
+    /// Length of the interval of v, below 2π [default: 5π/4]
+    #[arg(long, value_name = "S")]
+    pub(crate) span: Option<f64>,
+    /// Where the two sides begin, γ0,γ1 [default: 2π,4π]
+    #[arg(long, value_name = "G0,G1", value_parser = pair, allow_negative_numbers = true)]
+    pub(crate) gamma: Option<[f64; 2]>,
+    /// Their slopes, β0,β1 [default: 1,1]
+    #[arg(long, value_name = "B0,B1", value_parser = pair, allow_negative_numbers = true)]
+    pub(crate) beta: Option<[f64; 2]>,
+    /// The file to write; by default stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 /// What `draw basis` takes.
@@ -124,7 +143,7 @@ pub(crate) struct BasisArguments {
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
     pub(crate) degree: u16,
     /// Shape parameters θ1,θ2 of GT functions, each from 0 to 4; may be given several times [default: 1,1]
-    #[arg(long, value_name = "T1,T2", value_parser = shape)]
+    #[arg(long, value_name = "T1,T2", value_parser = pair)]
     pub(crate) shape: Vec<[f64; 2]>,
     /// Length of the interval of AHT functions, below 7.853, or AT functions, below 2π; may be given several times [default: 2π of AHT, π of AT]
     #[arg(long, value_name = "S")]
@@ -144,11 +163,11 @@ pub(crate) enum FamilyName {
 }
 
 /// Two numbers with a comma between them.
-fn shape(text: &str) -> Result<[f64; 2], String> {
+fn pair(text: &str) -> Result<[f64; 2], String> {
     let number = |text: &str| text.trim().parse::<f64>().map_err(|_| format!("{text:?} is not a number"));
     match text.split_once(',') {
         Some((first, second)) => Ok([number(first)?, number(second)?]),
-        None => Err("two numbers are needed, as in --shape 1,2".to_owned()),
+        None => Err("two numbers are needed, as in 1,2".to_owned()),
     }
 }
 
@@ -472,7 +491,13 @@ fn subject(plan: &Plan) -> String {
         Experiment::Helicoid(_) => "a helicoid".to_owned(),
         Experiment::TrapeziumHelicoid(_) => "a helicoid over a trapezium".to_owned(),
         Experiment::Net(_) => "a net of its own".to_owned(),
-        Experiment::Curve(curve) => format!("a curve at {} samples", curve.samples.len()),
+        Experiment::Curve(curves) => {
+            let samples = curves.first().map_or(0, |curve| curve.samples.len());
+            match curves.len() {
+                1 => format!("a curve at {samples} samples"),
+                count => format!("{count} curves at {samples} samples each"),
+            }
+        }
     }
 }
 

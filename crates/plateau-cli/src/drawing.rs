@@ -1,31 +1,50 @@
 //! `draw`: pictures that need no experiment.
 
 use std::f64::consts::{PI, TAU};
+use std::fmt::Display;
 use std::io::Write;
+use std::path::Path;
 
 use plateau::CurveBasis;
 use record::Destination;
 
-use crate::command::{BasisArguments, Drawing, Failure, FamilyName, say};
+use crate::command::{BasisArguments, ConstructionArguments, Drawing, Failure, FamilyName, say};
 
 /// Draws to the file that was asked for, or to stdout.
 pub(crate) fn draw(drawing: &Drawing, stdout: &mut impl Write) -> Result<(), Failure> {
-    let Drawing::Basis(arguments) = drawing;
-    let refuse = |why: String| {
-        say(&format!("error: {why}"));
-        Failure::Input
+    let (picture, out) = match drawing {
+        Drawing::Basis(arguments) => (basis(arguments), &arguments.out),
+        Drawing::Construction(arguments) => (construction(arguments), &arguments.out),
     };
-    let bases = bases(arguments).map_err(|why| refuse(why.into()))?;
-    let picture =
-        show::basis_functions(&bases, arguments.degree.into()).map_err(|error| refuse(error.to_string()))?;
-    let Some(path) = &arguments.out else { return Ok(stdout.write_all(picture.as_bytes())?) };
-    let cannot =
-        |error: &dyn std::fmt::Display| refuse(format!("{} cannot be written: {error}", path.display()));
-    let to = Destination::named(path).map_err(|error| cannot(&error))?;
-    record::write_text(&picture, &to).map_err(|error| {
+    let picture = picture.map_err(|why| refused(&why))?;
+    match out {
+        None => Ok(stdout.write_all(picture.as_bytes())?),
+        Some(path) => write(&picture, path),
+    }
+}
+
+fn write(picture: &str, path: &Path) -> Result<(), Failure> {
+    let to = Destination::named(path)
+        .map_err(|error| refused(&format_args!("{} cannot be written: {error}", path.display())))?;
+    record::write_text(picture, &to).map_err(|error| {
         say(&format!("error: {error}"));
         Failure::Result
     })
+}
+
+fn refused(why: &dyn Display) -> Failure {
+    say(&format!("error: {why}"));
+    Failure::Input
+}
+
+fn construction(arguments: &ConstructionArguments) -> Result<String, String> {
+    let span = arguments.span.unwrap_or(1.25 * PI);
+    let (gamma, beta) = (arguments.gamma.unwrap_or([TAU, 2.0 * TAU]), arguments.beta.unwrap_or([1.0, 1.0]));
+    show::construction(span, gamma, beta).map_err(|error| error.to_string())
+}
+
+fn basis(arguments: &BasisArguments) -> Result<String, String> {
+    show::basis_functions(&bases(arguments)?, arguments.degree.into()).map_err(|error| error.to_string())
 }
 
 /// The bases that the arguments name, at least one.

@@ -131,6 +131,9 @@ fn every_kind_of_result_verifies_bit_for_bit() {
         "net-aht.toml",
         "net-at.toml",
         "curve-aht.toml",
+        "curve-gt-figure-1.toml",
+        "curve-at-conical-spiral.toml",
+        "curve-aht-catenary.toml",
         "area-saddle.toml",
     ];
     let mut results = Vec::new();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use bases::{Aht, At, Basis, Bernstein, GaussLegendre, Gt, Matrix};
 use surfaces::{CurveJet, Point};
 
-use crate::{MethodError, Quantity, Warning};
+use crate::{MethodError, Warning};
 
 /// One planar or space curve with control points, and the parameters at which it is sampled.
 #[derive(Clone, Debug, PartialEq)]
@@ -173,12 +173,6 @@ impl CurveResult {
     pub fn sharpest(&self) -> Option<(usize, f64)> {
         let known = self.curvature.iter().enumerate().filter_map(|(k, c)| Some((k, (*c)?)));
         known.reduce(|best, next| if next.1.abs() > best.1.abs() { next } else { best })
-    }
-
-    /// One figure of the result; curves have nothing but curvatures.
-    pub fn figure(&self, quantity: Quantity) -> Option<f64> {
-        let Quantity::Curvature(k) = quantity else { return None };
-        self.curvature.get(k).copied().flatten()
     }
 
     /// The coordinates the curve has.

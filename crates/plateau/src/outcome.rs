@@ -2,15 +2,15 @@
 
 use crate::{CurveResult, Done, MethodError, Quantity};
 
-/// What came of an experiment: surfaces, one a method, or a sampled curve.
+/// What came of an experiment: surfaces, one a method, or sampled curves.
 #[derive(Debug)]
 pub struct Results {
     /// A title.
     pub title: String,
     /// One entry per method.
     pub methods: Vec<MethodResult>,
-    /// The sampled curve, of experiments with a curve; they have no methods.
-    pub curve: Option<CurveResult>,
+    /// The sampled curves, of experiments with a curve: one, or one for each of several shapes. They have no methods.
+    pub curves: Vec<CurveResult>,
     /// What a reader must know about the whole, one sentence each.
     pub warnings: Vec<String>,
 }
@@ -28,6 +28,18 @@ impl Results {
     /// Whether the caller's wish to end left something undone.
     pub fn was_interrupted(&self) -> bool {
         self.failures().any(|(_, error)| matches!(error, MethodError::Interrupted))
+    }
+
+    /// One figure of the curves, whose samples are counted on from each to the next; curves have nothing but curvatures.
+    pub fn figure_of_curves(&self, quantity: Quantity) -> Option<f64> {
+        let Quantity::Curvature(mut k) = quantity else { return None };
+        for curve in &self.curves {
+            match k.checked_sub(curve.t.len()) {
+                Some(rest) => k = rest,
+                None => return curve.curvature[k],
+            }
+        }
+        None
     }
 
     /// The methods that failed, with their errors.

@@ -16,7 +16,7 @@ use crate::folder::{
 };
 use crate::result::ResultFile;
 use crate::{Destination, Manifest, atomic, export};
-use exchange::{Format, write_curve, write_deformation};
+use exchange::{Format, write_curves, write_deformation};
 use experiment::{Finished, Plan};
 use plateau::{Done, Progress};
 use show::{About, Comparison, Scene, Verdict, page, pictures};
@@ -167,8 +167,8 @@ impl Delivery<'_> {
         let finished = self.finished;
         let mut listed: Vec<String> =
             std::iter::once(RESULT_FILE).chain(self.record.files()).map(str::to_owned).collect();
-        if let Some(curve) = &finished.results.curve {
-            self.keep(CURVE_FILE, &|out| write_curve(curve, out))?;
+        if !finished.results.curves.is_empty() {
+            self.keep(CURVE_FILE, &|out| write_curves(&finished.results.curves, out))?;
             listed.push(CURVE_FILE.to_owned());
         }
         if self.plan.output.formats.contains(&Format::Glb)

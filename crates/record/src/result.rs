@@ -31,6 +31,9 @@ pub struct ResultFile {
     methods: Vec<MethodEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<CurveEntry>,
+    /// Of several shapes, instead of `curve`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    curves: Vec<CurveEntry>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
     /// The numbers of the file that were not met.
@@ -296,7 +299,14 @@ impl ResultFile {
             title: results.title.clone(),
             seed: finished.seed,
             methods,
-            curve: results.curve.as_ref().map(CurveEntry::new),
+            curve: match results.curves.as_slice() {
+                [curve] => Some(CurveEntry::new(curve)),
+                _ => None,
+            },
+            curves: match results.curves.as_slice() {
+                [_] => Vec::new(),
+                curves => curves.iter().map(CurveEntry::new).collect(),
+            },
             warnings: results.warnings.clone(),
             missed: finished.missed().into_iter().map(missed_entry).collect(),
             files: Vec::new(),

@@ -143,11 +143,21 @@ fn entries(stored: &mut Value, mut computed: Value, level: &Level) -> Vec<Verifi
         let [theirs, ours] = [theirs, ours].map(Option::unwrap_or_default);
         entries.push(compared("curve".into(), &theirs, &ours, level, compare::curve));
     }
+    let [theirs, ours] =
+        [&mut *stored, &mut computed].map(|record| match record.get_mut("curves").map(Value::take) {
+            Some(Value::Array(curves)) => curves,
+            Some(other) => vec![other],
+            None => Vec::new(),
+        });
+    for k in 0..theirs.len().max(ours.len()) {
+        let [theirs, ours] = [&theirs, &ours].map(|curves| curves.get(k).unwrap_or(&Value::Null));
+        entries.push(compared(format!("curve {}", k + 1), theirs, ours, level, compare::curve));
+    }
     for record in [&mut *stored, &mut computed] {
         if let Some(record) = record.as_object_mut() {
             // The manifest has been used up; what was written and what could not be says nothing of the numbers.
             record.retain(|key, _| {
-                !["manifest", "methods", "curve", "files", "unwritten"].contains(&key.as_str())
+                !["manifest", "methods", "curve", "curves", "files", "unwritten"].contains(&key.as_str())
             });
             if *level != Level::Bits {
                 record.retain(|key, _| ["title", "seed"].contains(&key.as_str()));

@@ -2,7 +2,7 @@
 //!
 //! [`table()`] prints the figures of [`Results`](plateau::Results). A [`Scene`] samples their surfaces once, in one frame and
 //! on one scale; [`pictures()`] draws it as SVG, [`page()`] as one HTML file that needs nothing but itself. [`basis_functions`] draws the functions
-//! of a basis.
+//! of a basis, [`construction()`] how a helicoid's net is constructed.
 //! [`Printable`] makes text from outside fit for a terminal.
 
 mod colour;
@@ -16,7 +16,7 @@ mod table;
 
 pub use curvature_colours::by_mean_curvature;
 pub use page::{About, Comparison, Verdict, page};
-pub use picture::{PICTURES, Picture, basis_functions, pictures};
+pub use picture::{PICTURES, Picture, basis_functions, construction, pictures};
 pub use printable::{Printable, stand_ins, width_of_names};
 pub use scene::Scene;
 pub use table::{Cells, Column, WIDTH, grid, table};

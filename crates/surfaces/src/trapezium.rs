@@ -98,7 +98,7 @@ impl TrapeziumHelicoid {
     /// to rounding.
     ///
     /// The theorems have β = 1; for other slopes the segment O₁P₁ has length |β|, O₂P₂ length 2|β|. The direction of OP is
-    /// that of the ruling, so that it exists at the axis too.
+    /// that of the ruling, so that it exists at the axis too. [`Self::construction`] has the points in the plane.
     ///
     /// # Errors
     /// As for [`Self::patch`].
@@ -118,30 +118,23 @@ impl TrapeziumHelicoid {
         })
     }
 
+    /// The points and segments of the construction in the plane z = 0, for either side.
+    ///
+    /// # Errors
+    /// As for [`Self::patch`].
+    pub fn construction(&self) -> Result<[PlaneConstruction; 2], SurfaceError> {
+        let basis = At::new(self.span)?;
+        Ok(self.sides.map(|side| PlaneConstruction::new(&basis, side, [0.0, self.span])))
+    }
+
     /// The net over `start ≤ v ≤ end` by AT Theorems 1–3.
     fn construct(&self, basis: &At, start: f64, end: f64) -> Result<Net, SurfaceError> {
-        let [delta, m, epsilon] = basis.endpoint_rule();
         let heights = basis.control_values([[start, 1.0, 0.0], [end, 1.0, 0.0]]);
-        let mut points = Vec::with_capacity(12);
-        for [gamma, beta] in self.sides {
-            let tangents = |v: f64| {
-                let ruling = Point::new(libm::cos(v), libm::sin(v), 0.0);
-                let p = ruling * (gamma + beta * v);
-                // Theorem 1: PO turned clockwise ends in O₁; P₁ = O₁ + β along OP; O₂ = −P; P₂ = O₂ + 2β along PO₁.
-                let o1 = p + clockwise(-p);
-                let p1 = o1 + ruling * beta;
-                let p2 = -p + clockwise(-ruling) * (2.0 * beta);
-                (p, p1 - p, p2)
-            };
-            let ((q0, t1, t2), (q5, s1, s2)) = (tangents(start), tangents(end));
-            // Theorem 2. Q₁T³ is M − δ times the tangent.
-            let (q1, q4) = (q0 + t1 * delta, q5 - s1 * delta);
-            let (t3, s3) = (q1 + t1 * (m - delta), q4 - s1 * (m - delta));
-            let flat = [q0, q1, t3 + t2 * epsilon, s3 + s2 * epsilon, q4, q5];
-            // Theorem 3.
-            points.extend(flat.iter().zip(heights).map(|(q, z)| Point::new(q.x, q.y, z)));
-        }
-        Net::new(2, 6, points)
+        let lifted = |side| {
+            let flat = PlaneConstruction::new(basis, side, [start, end]).points;
+            flat.into_iter().zip(heights).map(|(q, z)| Point::new(q.x, q.y, z))
+        };
+        Net::new(2, 6, self.sides.into_iter().flat_map(lifted).collect())
     }
 
     fn piece(&self, start: f64, end: f64) -> Result<TensorPatch, SurfaceError> {
@@ -150,6 +143,55 @@ impl TrapeziumHelicoid {
             .sides
             .map(|side| Curve::at_between(&basis, [start, end], |v| CurveJet::on_spiral(side, 1.0, v)));
         on_net(basis, Net::new(2, 6, rows.concat())?)
+    }
+}
+
+/// The construction of the control points of a spiral `(γ + βv)(cos v, sin v)` in its plane (AT Theorems 1 and 2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlaneConstruction {
+    /// Theorem 1 at both ends.
+    pub ends: [SpiralEnd; 2],
+    /// The points T³ of Theorem 2: on the tangents, from where the second derivative leads to Q₂ and Q₃.
+    pub on_tangents: [Point; 2],
+    /// The control points Q₀ … Q₅.
+    pub points: [Point; 6],
+}
+
+/// The derivatives of a spiral at a point by right angles and lengths (AT Theorem 1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpiralEnd {
+    /// The point P.
+    pub point: Point,
+    /// O₁, the centre O turned clockwise about P by a right angle.
+    pub o1: Point,
+    /// P₁, β from O₁ along OP: PP₁ is the first derivative.
+    pub p1: Point,
+    /// O₂, P mirrored in O.
+    pub o2: Point,
+    /// P₂, 2β from O₂ along PO₁: OP₂ is the second derivative.
+    pub p2: Point,
+}
+
+impl SpiralEnd {
+    fn new([gamma, beta]: [f64; 2], v: f64) -> Self {
+        // The direction of OP is that of the ruling, so that it exists at the axis too.
+        let ruling = Point::new(libm::cos(v), libm::sin(v), 0.0);
+        let p = ruling * (gamma + beta * v);
+        let o1 = p + clockwise(-p);
+        Self { point: p, o1, p1: o1 + ruling * beta, o2: -p, p2: -p + clockwise(-ruling) * (2.0 * beta) }
+    }
+}
+
+impl PlaneConstruction {
+    fn new(basis: &At, side: [f64; 2], ends: [f64; 2]) -> Self {
+        let [delta, m, epsilon] = basis.endpoint_rule();
+        let [start, end] = ends.map(|v| SpiralEnd::new(side, v));
+        let (first, last) = (start.p1 - start.point, end.p1 - end.point);
+        // Q₁T³ is M − δ times the tangent.
+        let (q1, q4) = (start.point + first * delta, end.point - last * delta);
+        let on_tangents = [q1 + first * (m - delta), q4 - last * (m - delta)];
+        let (q2, q3) = (on_tangents[0] + start.p2 * epsilon, on_tangents[1] + end.p2 * epsilon);
+        Self { ends: [start, end], on_tangents, points: [start.point, q1, q2, q3, q4, end.point] }
     }
 }
 

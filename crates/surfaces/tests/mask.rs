@@ -150,7 +150,18 @@ proptest! {
         for residual in residuals(&system, coons.points()) {
             prop_assert!(residual.norm() <= 1e-13, "{residual:?}");
         }
-        // Permanence: the mask with the printed sign does not.
+        // Permanence (COONS): every part of the net is the discrete Coons net of its own border.
+        for (i0, i1, j0, j1) in [(0, m - 1, 0, n), (1, m, 0, n - 1), (0, m, 1, n), (1, m, 1, n)] {
+            let row = |i: usize| (j0..=j1).map(|j| coons.point(i, j)).collect::<Vec<_>>();
+            let column = |j: usize| (i0..=i1).map(|i| coons.point(i, j)).collect::<Vec<_>>();
+            let part = discrete_coons(&row(i0), &row(i1), &column(j0), &column(j1)).unwrap();
+            for i in i0..=i1 {
+                for j in j0..=j1 {
+                    prop_assert!(part.point(i - i0, j - j0).distance(coons.point(i, j)) <= 1e-13);
+                }
+            }
+        }
+        // The mask with the printed sign has another net.
         let other = rectangular_mask(0.25, &coons).unwrap();
         prop_assert!(residuals(&other, coons.points()).iter().any(|r| r.norm() > 1e-9));
     }

@@ -1,20 +1,36 @@
-//! Comma-separated values: one line per sample of a curve.
+//! Comma-separated values: one line per sample of curves.
 
 use std::io::{self, Write};
 
-use plateau::CurveResult;
+use plateau::{CurveBasis, CurveResult};
 
-/// Parameter, point, derivatives and curvature with all their digits; the curvature is empty where there is none.
-pub fn write_curve(curve: &CurveResult, out: &mut dyn Write) -> io::Result<()> {
-    let axes = &["x", "y", "z"][..curve.dimension];
-    let mut header = vec!["t".to_owned()];
+/// Parameter, point, derivatives and curvature with all their digits; the curvature is empty where there is none. Lines of several
+/// curves, which differ in their shape, begin with that.
+pub fn write_curves(curves: &[CurveResult], out: &mut dyn Write) -> io::Result<()> {
+    let Some(first) = curves.first() else { return Ok(()) };
+    let axes = &["x", "y", "z"][..first.dimension];
+    let mut header = match curves.len() {
+        1 => Vec::new(),
+        _several => vec!["theta1".to_owned(), "theta2".to_owned()],
+    };
+    header.push("t".to_owned());
     for prefix in ["", "d1_", "d2_"] {
         header.extend(axes.iter().map(|axis| format!("{prefix}{axis}")));
     }
     header.push("curvature".into());
     writeln!(out, "{}", header.join(","))?;
+    curves.iter().try_for_each(|curve| lines(curve, curves.len() > 1, out))
+}
+
+fn lines(curve: &CurveResult, with_shape: bool, out: &mut dyn Write) -> io::Result<()> {
+    let shape = match curve.curve.basis {
+        CurveBasis::Gt { shape: [first, second] } if with_shape => format!("{first:?},{second:?},"),
+        CurveBasis::Gt { .. } | CurveBasis::Bernstein | CurveBasis::Aht { .. } | CurveBasis::At { .. } => {
+            String::new()
+        }
+    };
     for ((t, jet), curvature) in curve.t.iter().zip(&curve.jets).zip(&curve.curvature) {
-        write!(out, "{t:?}")?;
+        write!(out, "{shape}{t:?}")?;
         for p in [jet.point, jet.d1, jet.d2] {
             for x in curve.coordinates(p) {
                 write!(out, ",{x:?}")?;

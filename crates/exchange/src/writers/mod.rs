@@ -17,7 +17,7 @@ mod stl;
 mod subject;
 mod vtu;
 
-pub use csv::write_curve;
+pub use csv::write_curves;
 pub use deformation::write_deformation;
 pub use extent::diagonal;
 pub use file::{SurfaceFile, Unfit};

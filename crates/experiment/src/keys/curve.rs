@@ -1,14 +1,19 @@
 //! `[curve]`: one curve, sampled.
 
 use bases::{Aht, At};
-use plateau::MAX_DEGREE;
+use plateau::{CurveFunction, MAX_DEGREE};
 use serde_json::{Map, Value as Json, json};
 use serde_spanned::Spanned;
 
-use crate::text::{Form, Interval, Key, Kind, Name, Place, Points, Reals, Section, Value, Ways, Whole};
+use crate::text::{Form, Interval, Key, Kind, List, Name, Place, Points, Reals, Section, Value, Ways, Whole};
 
 /// Largest |coordinate| of a point: its square stays finite. Derivatives that do not are told apart when they are computed.
 const LARGEST_COORDINATE: f64 = 1e150;
+
+/// Most curves of one experiment.
+const MOST_SHAPES: usize = 12;
+
+const ONE_FORM: &str = "a curve is given by one of points, function, ends; the last two for \"aht\" and \"at\": points = [[0, 0], [1, 2], [3, 2], [4, 0]]";
 
 /// Most samples of a curve.
 const MOST_SAMPLES: usize = 100_000;
@@ -66,6 +71,44 @@ impl Kind for Samples {
     }
 }
 
+/// The shape parameters of one GT curve, or of several.
+#[derive(Clone, Copy)]
+pub(crate) struct Shapes;
+
+/// A pair of shape parameters.
+pub(crate) type Pair = Vec<Spanned<f64>>;
+
+const PAIR: Reals = Reals::exactly(2, Interval::between(0.0, 4.0));
+const PAIRS: List<Reals> =
+    List { each: PAIR, least: 1, most: MOST_SHAPES, example: "[[0.5, 0.5], [1.0, 2.0]]" };
+
+impl Form for Shapes {
+    fn expected(&self) -> String {
+        PAIR.expected()
+    }
+
+    fn admits(&self) -> String {
+        format!("{}, or {}", PAIR.admits(), PAIRS.admits())
+    }
+
+    fn schema(&self) -> Map<String, Json> {
+        let forms = [Json::Object(PAIR.schema()), Json::Object(PAIRS.schema())];
+        [("anyOf".to_owned(), json!(forms))].into_iter().collect()
+    }
+}
+
+impl Kind for Shapes {
+    type Value = Vec<Spanned<Pair>>;
+
+    fn read(&self, place: &Place<'_>, value: &Value<'_>) -> Option<Self::Value> {
+        let is_list = |list: &[Value<'_>]| list.first().is_some_and(|first| first.get_ref().is_array());
+        if value.get_ref().as_array().is_some_and(|list| is_list(list)) {
+            return PAIRS.read(place, value);
+        }
+        PAIR.read(place, value).map(|pair| vec![Spanned::new(value.span(), pair)])
+    }
+}
+
 pub(crate) static BASIS: Key<Name<Family>> = Key::new(
     "basis",
     Name(&[("bernstein", Family::Bernstein), ("gt", Family::Gt), ("aht", Family::Aht), ("at", Family::At)]),
@@ -73,10 +116,10 @@ pub(crate) static BASIS: Key<Name<Family>> = Key::new(
 )
 .required()
 .such_as("\"gt\"");
-pub(crate) static SHAPE: Key<Reals> = Key::new(
+pub(crate) static SHAPE: Key<Shapes> = Key::new(
     "shape",
-    Reals::exactly(2, Interval::between(0.0, 4.0)),
-    "the shape parameters [θ1, θ2] of the GT basis",
+    Shapes,
+    "the shape parameters [θ1, θ2] of the GT basis; or several such pairs, for a curve each, all in one picture",
 )
 .hint("the GT basis has two shape parameters, each in [0, 4]: write shape = [theta1, theta2]");
 pub(crate) static SPAN: Key<Interval> = Key::new(
@@ -91,14 +134,44 @@ pub(crate) static POINTS: Key<Points> = Key::new(
     Points::between(2, MAX_DEGREE + 1, LARGEST_COORDINATE).or_planar(),
     "the control points, planar or in space: 6 for `aht` and `at`, 3 or more for `gt`, 2 or more for `bernstein`",
 )
-.required()
-.such_as("[[0, 0], [1, 2], [3, 2], [4, 0]]");
+.such_as("[[0, 0], [1, 2], [3, 2], [4, 0]]")
+.hint(ONE_FORM);
+pub(crate) static FUNCTION: Key<Name<CurveFunction>> = Key::new(
+    "function",
+    Name(&[
+        ("circle", CurveFunction::Circle),
+        ("helix", CurveFunction::Helix),
+        ("cycloid", CurveFunction::Cycloid),
+        ("spiral", CurveFunction::Spiral),
+        ("conical-spiral", CurveFunction::ConicalSpiral),
+        ("catenary", CurveFunction::Catenary),
+        ("hyperbola", CurveFunction::Hyperbola),
+    ]),
+    "instead of control points a curve by its formula over [0, span], given exactly: circle (cos t, sin t), helix (cos t, sin t, t) and cycloid \
+     (t − sin t, 1 − cos t) by \"aht\" and \"at\", spiral (t cos t, t sin t) and conical spiral (t cos t, t sin t, t) by \"at\", catenary \
+     (t, cosh t) and hyperbola (cosh t, sinh t) by \"aht\"",
+)
+.such_as("\"conical-spiral\"")
+.hint(ONE_FORM);
+pub(crate) static ENDS: Key<List<Points>> = Key::new(
+    "ends",
+    List {
+        each: Points::between(3, 3, LARGEST_COORDINATE).or_planar().counting("points"),
+        least: 2,
+        most: 2,
+        example: "[[[1, 0], [0, 1], [-1, 0]], [[0, 1], [-1, 0], [0, -1]]]",
+    },
+    "instead of control points what the curve is at both ends: point, first and second derivative at 0, then at `span`. Any function of the \
+     space of \"aht\" or \"at\" is given by its ends",
+)
+.such_as("[[[1, 0], [0, 1], [-1, 0]], [[0, 1], [-1, 0], [0, -1]]]")
+.hint("write ends = [[point, first derivative, second derivative], […]], at 0 and at `span`");
 pub(crate) static SAMPLES: Key<Samples> =
     Key::new("samples", Samples, "the parameters in the basis' domain, or how many equally spaced ones")
         .or("101");
 
 pub(crate) static SECTION: Section = Section {
-    doc: "one planar or space curve: samples, derivatives, curvature",
-    keys: &[&BASIS, &SHAPE, &SPAN, &POINTS, &SAMPLES],
-    ways: Ways::Free,
+    doc: "one planar or space curve, or one for each of several shapes: samples, derivatives, curvature",
+    keys: &[&BASIS, &SHAPE, &SPAN, &POINTS, &FUNCTION, &ENDS, &SAMPLES],
+    ways: Ways::One(&[&["points"], &["function"], &["ends"]]),
 };

@@ -3,41 +3,145 @@
 use std::ops::{Range, RangeInclusive};
 
 use bases::{Aht, At};
-use plateau::{Curve, CurveBasis, MAX_DEGREE};
+use plateau::{Curve, CurveBasis, CurveFunction, MAX_DEGREE};
 use serde_spanned::Spanned;
 
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
 use super::shape::shape_of_curve;
-use crate::keys::curve::{BASIS, Family, POINTS, SAMPLES, SHAPE, SPAN, Sampling};
-use crate::text::{Given, Interval, PointList, Table, counted, shown};
+use crate::keys::curve::{BASIS, ENDS, FUNCTION, Family, POINTS, Pair, SAMPLES, SHAPE, SPAN, Sampling};
+use crate::text::{Entry, Given, Interval, PointList, Table, counted, shown};
 
 /// Checks `[curve]`.
-pub(super) fn curve(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(Curve, Wanted)> {
+pub(super) fn curve(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(Vec<Curve>, Wanted)> {
     let family = table.require(&BASIS);
-    let shape = table.take(&SHAPE);
-    let span = table.take(&SPAN);
-    let points = table.require(&POINTS);
+    let shapes = Shapes { pairs: table.take(&SHAPE), span: table.take(&SPAN) };
+    let form = form(table);
     let samples = table.take(&SAMPLES);
-    let basis = family.as_ref().and_then(|family| basis(table, family, &shape, &span));
-    let points = points.filter(|points| match &family {
-        Some(family) => is_number_of_points(table, points, *family.get_ref()),
-        None => true,
+    let bases = family.as_ref().and_then(|family| bases(table, family, &shapes));
+    let points = match (&form, &family, &bases) {
+        (Some(form), Some(family), _) if !form.is_for(table, family) => None,
+        (Some(Form::Points(points)), Some(family), _) => {
+            let sized = is_number_of_points(table, points, *family.get_ref());
+            sized.then(|| flat(points.get_ref()))
+        }
+        (Some(form), Some(_), Some(bases)) => form.control_points(table, &bases[0]),
+        _ => None,
+    };
+    let samples = bases.as_ref().and_then(|bases| parameters(table, &samples, bases[0].domain()));
+    let subject = bases.as_ref().zip(samples.as_ref()).map(|(bases, samples)| Subject::Curve {
+        samples: samples.len() * bases.len(),
+        shapes: shapes.pairs.span().filter(|_| bases.len() > 1).map(|span| [span.start, span.end]),
     });
-    let samples = basis.and_then(|basis| parameters(table, &samples, basis.domain()));
-    let subject = samples.as_ref().map(|samples| Subject::Curve { samples: samples.len() });
     let wanted = wanted(expect, subject);
-    let PointList { points, dimension, .. } = points?.into_inner();
-    let points = points.into_iter().map(Spanned::into_inner).collect();
-    Some((Curve { basis: basis?, points, dimension, samples: samples? }, wanted?))
+    let ((points, dimension), samples) = (points?, samples?);
+    let curve = |basis| Curve { basis, points: points.clone(), dimension, samples: samples.clone() };
+    Some((bases?.into_iter().map(curve).collect(), wanted?))
 }
 
-fn basis(
-    table: &Table<'_>,
-    family: &Spanned<Family>,
-    shape: &Given<Vec<Spanned<f64>>>,
-    span: &Given<f64>,
-) -> Option<CurveBasis> {
+/// The parameters of a basis, as the file has them.
+struct Shapes {
+    pairs: Given<Vec<Spanned<Pair>>>,
+    span: Given<f64>,
+}
+
+/// What gives a curve: one of three.
+enum Form {
+    Points(Spanned<PointList>),
+    Function(Spanned<CurveFunction>),
+    Ends(Spanned<Vec<Spanned<PointList>>>),
+}
+
+/// The points of a list, planar ones with z = 0, and how many coordinates the file gives them.
+fn flat(list: &PointList) -> (Vec<[f64; 3]>, usize) {
+    (list.points.iter().map(|p| *p.get_ref()).collect(), list.dimension)
+}
+
+/// The one form that is given.
+fn form(table: &Table<'_>) -> Option<Form> {
+    let (points, function, ends) = (table.take(&POINTS), table.take(&FUNCTION), table.take(&ENDS));
+    let keys = ["points", "function", "ends"];
+    let present: Vec<_> = keys.into_iter().filter_map(|key| Some((key, table.place(&[key])?))).collect();
+    match present.as_slice() {
+        [] => {
+            table.missing("points", &POINTS.head().remedy());
+            None
+        }
+        [_] => points
+            .sound()
+            .map(Form::Points)
+            .or_else(|| function.sound().map(Form::Function))
+            .or_else(|| ends.sound().map(Form::Ends)),
+        [(one, first), (other, second), ..] => {
+            table.faults().conflict(
+                (second.clone(), "another form of the curve"),
+                (first.clone(), "a form of the curve"),
+                format!("[curve] holds both `{one}` and `{other}`"),
+                "keep one of the two: control points, a function by its name, or what the curve is at its ends",
+            );
+            None
+        }
+    }
+}
+
+impl Form {
+    /// Whether the family has curves in this form; a function that it does not hold is reported.
+    fn is_for(&self, table: &Table<'_>, family: &Spanned<Family>) -> bool {
+        let (key, span) = match self {
+            Self::Points(_) => return true,
+            Self::Function(function) => ("function", function.span()),
+            Self::Ends(ends) => ("ends", ends.span()),
+        };
+        let admitted = match (family.get_ref(), self) {
+            (Family::Bernstein | Family::Gt, _) => false,
+            (Family::Aht, Self::Function(function)) => {
+                function.get_ref().is_in(&CurveBasis::Aht { span: 1.0 })
+            }
+            (Family::At, Self::Function(function)) => function.get_ref().is_in(&CurveBasis::At { span: 1.0 }),
+            (Family::Aht | Family::At, Self::Points(_) | Self::Ends(_)) => true,
+        };
+        if admitted {
+            return true;
+        }
+        let said = table.faults().excerpt(&family.span());
+        table.faults().conflict(
+            (span, "not in the space of this basis"),
+            (family.span(), "the basis"),
+            format!("basis = {said} in [curve] does not hold this `{key}`"),
+            "circle, helix and cycloid are in \"aht\" and \"at\", spiral and conical-spiral in \"at\", catenary and hyperbola in \"aht\"; `ends` is for these two",
+        );
+        false
+    }
+
+    /// The control points in a basis, and how many coordinates they have.
+    fn control_points(&self, table: &Table<'_>, basis: &CurveBasis) -> Option<(Vec<[f64; 3]>, usize)> {
+        let (ends, dimension) = match self {
+            Self::Points(points) => return Some(flat(points.get_ref())),
+            Self::Function(function) => {
+                let [start, end] = basis.domain();
+                ([start, end].map(|t| function.get_ref().jet(t)), function.get_ref().dimension())
+            }
+            Self::Ends(ends) => {
+                let [start, end] = ends.get_ref().as_slice() else { return None };
+                if start.get_ref().dimension != end.get_ref().dimension {
+                    table.faults().conflict(
+                        (end.span(), &counted(end.get_ref().dimension, "coordinate")),
+                        (start.span(), &counted(start.get_ref().dimension, "coordinate")),
+                        "`ends` in [curve] mixes planar and space points",
+                        "give every point 2 coordinates, or every point 3",
+                    );
+                    return None;
+                }
+                let jet = |end: &PointList| std::array::from_fn(|r| *end.points[r].get_ref());
+                ([jet(start.get_ref()), jet(end.get_ref())], start.get_ref().dimension)
+            }
+        };
+        basis.control_points(ends).map(|points| (points, dimension))
+    }
+}
+
+/// The basis, or one for each of several shapes.
+fn bases(table: &Table<'_>, family: &Spanned<Family>, shapes: &Shapes) -> Option<Vec<CurveBasis>> {
     let has = |key: &'static str| table.place(&[key]).map(|span| (key, span));
     let superfluous = match family.get_ref() {
         Family::Bernstein => has("shape").or(has("span")),
@@ -53,19 +157,23 @@ fn basis(
         );
         return None;
     }
-    match family.get_ref() {
-        Family::Bernstein => Some(CurveBasis::Bernstein),
-        Family::Gt => {
-            if shape.is_absent() {
-                let help = "the GT basis has two shape parameters, each in [0, 4]: shape = [1.0, 2.0]";
-                table.missing("shape", help);
-            }
-            let Given::Sound(shape) = shape else { return None };
-            Some(CurveBasis::Gt { shape: shape_of_curve(table, shape)? })
-        }
-        Family::Aht => length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM).map(|span| CurveBasis::Aht { span }),
-        Family::At => length(table, span, At::MIN_SPAN..At::SUPREMUM).map(|span| CurveBasis::At { span }),
+    let span = &shapes.span;
+    let one = match family.get_ref() {
+        Family::Bernstein => CurveBasis::Bernstein,
+        Family::Gt => return of_gt(table, shapes),
+        Family::Aht => CurveBasis::Aht { span: length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM)? },
+        Family::At => CurveBasis::At { span: length(table, span, At::MIN_SPAN..At::SUPREMUM)? },
+    };
+    Some(vec![one])
+}
+
+fn of_gt(table: &Table<'_>, shapes: &Shapes) -> Option<Vec<CurveBasis>> {
+    if shapes.pairs.is_absent() {
+        let help = "the GT basis has two shape parameters, each in [0, 4]: shape = [1.0, 2.0]";
+        table.missing("shape", help);
     }
+    let basis = |pair| shape_of_curve(table, pair).map(|shape| CurveBasis::Gt { shape });
+    shapes.pairs.value()?.iter().map(basis).collect()
 }
 
 /// The length of the domain, below the bound of its basis.

@@ -25,7 +25,7 @@ impl Head {
     }
 
     /// What to do: the hint, or what the key means with an example.
-    pub(super) fn remedy(&self) -> String {
+    pub(crate) fn remedy(&self) -> String {
         if !self.hint.is_empty() {
             return self.hint.to_owned();
         }

@@ -58,7 +58,11 @@ impl Points {
             return true;
         }
         let help = if let Some(noun) = self.noun {
-            format!("give {least} to {most} {noun}")
+            if least == most {
+                format!("give {least} {noun}")
+            } else {
+                format!("give {least} to {most} {noun}")
+            }
         } else if count < least {
             format!("give at least {least} points: n + 1 points make degree n")
         } else {
@@ -146,7 +150,11 @@ impl Form for Points {
     fn admits(&self) -> String {
         let noun = self.noun.unwrap_or("points");
         let plane = if self.planar { ", of the plane or of space" } else { "" };
-        format!("{} to {} {noun}{plane}", self.least, self.most)
+        let count = match self.least == self.most {
+            true => self.most.to_string(),
+            false => format!("{} to {}", self.least, self.most),
+        };
+        format!("{count} {noun}{plane}")
     }
 
     fn schema(&self) -> Map<String, Json> {

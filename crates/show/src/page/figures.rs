@@ -24,10 +24,16 @@ pub(super) fn methods(results: &Results) -> String {
     html
 }
 
-/// The curve and its samples.
-pub(super) fn curve(curve: &CurveResult) -> String {
-    let mut html = table(&summary(curve)) + &table(&samples(curve, ROWS));
-    left_out(&mut html, curve.t.len());
+/// The curves and the samples of each.
+pub(super) fn curves(curves: &[CurveResult]) -> String {
+    let mut html = table(&summary(curves));
+    for curve in curves {
+        if curves.len() > 1 {
+            let _ = writeln!(html, "<h3>{}</h3>", Escaped(&curve.name));
+        }
+        html += &table(&samples(curve, ROWS));
+        left_out(&mut html, curve.t.len());
+    }
     html
 }
 

@@ -154,9 +154,9 @@ fn view(scene: Option<&Scene<'_>>) -> String {
 }
 
 fn figures_of(results: &Results) -> String {
-    match &results.curve {
-        Some(curve) => figures::curve(curve),
-        None => figures::methods(results),
+    match results.curves.as_slice() {
+        [] => figures::methods(results),
+        curves => figures::curves(curves),
     }
 }
 

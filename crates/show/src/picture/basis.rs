@@ -4,7 +4,7 @@ use plateau::{CurveBasis, MethodError};
 
 use super::axis::{Axis, frame};
 use super::panels::arrange;
-use super::svg::{Anchor, FAINT, Font, Svg, path};
+use super::svg::{Anchor, FAINT, Font, LINES, Svg, path};
 
 /// Width and height of a panel with its labels.
 const PANEL: [f64; 2] = [430.0, 330.0];
@@ -14,9 +14,6 @@ const IN_A_ROW: usize = 3;
 const STEPS: usize = 240;
 /// Least distance of a label from the frame's corners and of two labels from each other.
 const APART: f64 = 15.0;
-
-/// Dark enough on white for labels, and told apart by most who see colours badly; repeated beyond seven.
-const COLOURS: [&str; 7] = ["#b3261e", "#0b63b0", "#1a7f4b", "#8a4fb0", "#a05a00", "#00798a", "#4a4f57"];
 
 /// The functions of bases of degree `degree` (5 of AHT and AT) over their domains as one SVG, a panel for each basis, all between 0 and 1.
 ///
@@ -51,7 +48,7 @@ fn panel(svg: &mut Svg, [left, top]: [f64; 2], basis: &CurveBasis, degree: usize
     frame(svg, &x, &y, "parameter t", "value");
     let mut labels: Vec<[f64; 2]> = Vec::new();
     for i in 0..functions.count() {
-        let colour = COLOURS[i % COLOURS.len()];
+        let colour = LINES[i % LINES.len()];
         let curve: Vec<[f64; 2]> = (0..=STEPS).map(|k| [x.at(t(k)), y.at(tables[k].row(0)[i])]).collect();
         let d = path(curve.iter().copied(), false);
         svg.element(format_args!(

@@ -1,8 +1,8 @@
-//! A curve with its control polygon, and its curvature.
+//! Curves with their control polygon, and their curvatures.
 
 use super::Picture;
 use super::axis::{Axis, frame};
-use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
+use super::svg::{ACCENT, Anchor, FAINT, Font, INK, LINES, Length, Svg, path};
 use crate::number::number;
 use plateau::{Curve, CurveResult, sample};
 
@@ -12,29 +12,57 @@ const FINE: usize = 401;
 const SIZE: [f64; 2] = [860.0, 360.0];
 /// A largest curvature this many times that of nine tenths of the curve is cut off.
 const PEAK: f64 = 8.0;
+/// Height of a line of the heading, of which several curves have one each.
+const LINE: f64 = 18.0;
 
-/// The picture of a curve; none if it cannot be drawn finely.
-pub(super) fn picture(result: &CurveResult) -> Option<Picture> {
-    let plan = &result.curve;
-    let [start, end] = plan.basis.domain();
-    let samples = (0..FINE)
-        .map(|k| if k + 1 == FINE { end } else { start + (end - start) * (k as f64 / (FINE - 1) as f64) })
-        .collect();
-    let fine = sample(&Curve { samples, ..plan.clone() }).ok()?;
-    let mut svg = Svg::new(SIZE[0], SIZE[1], "The curve with its control polygon, and its curvature");
-    svg.text([20.0, 22.0], Anchor::Start, Font::TITLE, &result.name);
-    let caption = format!("length {} in {} samples", number(result.length[0]), result.t.len());
-    svg.text([20.0, 39.0], Anchor::Start, Font::SMALL, &caption);
-    shape(&mut svg, plan, &fine, result);
-    curvature(&mut svg, &fine, result, plan.dimension == 2);
-    let caption =
-        "The curve with its control polygon, and its curvature over the parameter; dots are the samples."
-            .into();
-    Some(Picture { name: "curvature", caption, svg: svg.finish() })
+/// A curve as it is drawn.
+struct Drawn<'a> {
+    result: &'a CurveResult,
+    /// Sampled finely.
+    fine: CurveResult,
+    colour: &'static str,
 }
 
-/// The curve in its plane; space curves from the front, the left and above.
-fn shape(svg: &mut Svg, plan: &Curve, fine: &CurveResult, result: &CurveResult) {
+/// The picture of curves on the same control points; none if one of them cannot be drawn finely, or there is none.
+pub(super) fn picture(results: &[CurveResult]) -> Option<Picture> {
+    let first = results.first()?;
+    let drawn = results.iter().zip(LINES.iter().copied().cycle()).map(|(result, colour)| {
+        let plan = &result.curve;
+        let [start, end] = plan.basis.domain();
+        let samples = (0..FINE)
+            .map(|k| if k + 1 == FINE { end } else { start + (end - start) * (k as f64 / (FINE - 1) as f64) })
+            .collect();
+        let fine = sample(&Curve { samples, ..plan.clone() }).ok()?;
+        Some(Drawn { result, fine, colour: if results.len() == 1 { ACCENT } else { colour } })
+    });
+    let drawn: Vec<Drawn<'_>> = drawn.collect::<Option<_>>()?;
+    let (title, caption) = match results.len() {
+        1 => (
+            "The curve with its control polygon, and its curvature",
+            "The curve with its control polygon, and its curvature over the parameter; dots are the samples.",
+        ),
+        _several => (
+            "The curves with their control polygon, and their curvatures",
+            "The curves with their control polygon, and their curvatures over the parameter, one colour for each; dots are the samples.",
+        ),
+    };
+    let below = LINE * (results.len() - 1) as f64;
+    let mut svg = Svg::new(SIZE[0], SIZE[1] + below, title);
+    for (k, Drawn { result, colour, .. }) in drawn.iter().enumerate() {
+        let y = LINE * k as f64;
+        let font = if results.len() == 1 { Font::TITLE } else { Font { colour, ..Font::TITLE } };
+        svg.text([20.0, 22.0 + y], Anchor::Start, font, &result.name);
+        let caption = format!("length {} in {} samples", number(result.length[0]), result.t.len());
+        let at = if results.len() == 1 { [20.0, 39.0] } else { [240.0, 22.0 + y] };
+        svg.text(at, Anchor::Start, Font::SMALL, &caption);
+    }
+    shape(&mut svg, &first.curve, &drawn, below);
+    curvature(&mut svg, &drawn, first.dimension == 2, below);
+    Some(Picture { name: "curvature", caption: caption.into(), svg: svg.finish() })
+}
+
+/// The curves in their plane; space curves from the front, the left and above.
+fn shape(svg: &mut Svg, plan: &Curve, drawn: &[Drawn<'_>], below: f64) {
     let flat = |p: [f64; 3]| {
         if plan.dimension == 2 {
             [p[0], p[1]]
@@ -43,8 +71,11 @@ fn shape(svg: &mut Svg, plan: &Curve, fine: &CurveResult, result: &CurveResult) 
         }
     };
     let polygon: Vec<[f64; 2]> = plan.points.iter().map(|&p| flat(p)).collect();
-    let curve: Vec<[f64; 2]> = fine.jets.iter().map(|jet| flat(jet.point.into())).collect();
-    let all = || polygon.iter().chain(&curve);
+    let curves: Vec<Vec<[f64; 2]>> = drawn
+        .iter()
+        .map(|drawn| drawn.fine.jets.iter().map(|jet| flat(jet.point.into())).collect())
+        .collect();
+    let all = || polygon.iter().chain(curves.iter().flatten());
     let bound = |k: usize, pick: fn(f64, f64) -> f64, from: f64| all().map(|p| p[k]).fold(from, pick);
     let low = [0, 1].map(|k| bound(k, f64::min, f64::INFINITY));
     let high = [0, 1].map(|k| bound(k, f64::max, f64::NEG_INFINITY));
@@ -57,7 +88,7 @@ fn shape(svg: &mut Svg, plan: &Curve, fine: &CurveResult, result: &CurveResult) 
     };
     let ((x0, x1), (y0, y1)) = (range(0), range(1));
     let x = Axis::linear(x0, x1, [76.0, 76.0 + room[0]], 5);
-    let y = Axis::linear(y0, y1, [56.0 + room[1], 56.0], 5);
+    let y = Axis::linear(y0, y1, [56.0 + below + room[1], 56.0 + below], 5);
     let labels =
         if plan.dimension == 2 { ["x (length)", "y (length)"] } else { ["across (length)", "up (length)"] };
     frame(svg, &x, &y, labels[0], labels[1]);
@@ -69,21 +100,25 @@ fn shape(svg: &mut Svg, plan: &Curve, fine: &CurveResult, result: &CurveResult) 
     for point in &polygon {
         dot(svg, at(point), 3.0, "#ffffff", FAINT);
     }
-    let d = path(curve.iter().map(at), false);
-    svg.element(format_args!(
-        r#"path d="{d}" fill="none" stroke="{ACCENT}" stroke-width="2" stroke-linejoin="round""#
-    ));
-    for jet in few(&result.jets) {
-        dot(svg, at(&flat(jet.point.into())), 2.6, INK, INK);
+    for (Drawn { result, colour, .. }, curve) in drawn.iter().zip(&curves) {
+        let d = path(curve.iter().map(at), false);
+        svg.element(format_args!(
+            r#"path d="{d}" fill="none" stroke="{colour}" stroke-width="2" stroke-linejoin="round""#
+        ));
+        let ink = if drawn.len() == 1 { INK } else { colour };
+        for jet in few(&result.jets) {
+            dot(svg, at(&flat(jet.point.into())), 2.6, ink, ink);
+        }
     }
 }
 
-fn curvature(svg: &mut Svg, fine: &CurveResult, result: &CurveResult, signed: bool) {
-    let mut known: Vec<f64> = fine.curvature.iter().flatten().copied().collect();
-    let (left, right, top, bottom) = (500.0, 836.0, 56.0, 296.0);
+fn curvature(svg: &mut Svg, drawn: &[Drawn<'_>], signed: bool, below: f64) {
+    let mut known: Vec<f64> =
+        drawn.iter().flat_map(|drawn| drawn.fine.curvature.iter().flatten()).copied().collect();
+    let (left, right, top, bottom) = (500.0, 836.0, 56.0 + below, 296.0 + below);
     let Some(largest) = known.iter().map(|k| k.abs()).reduce(f64::max) else {
         svg.text(
-            [0.5 * (left + right), 176.0],
+            [0.5 * (left + right), 176.0 + below],
             Anchor::Middle,
             Font::SMALL,
             "no point of it has a curvature",
@@ -97,15 +132,27 @@ fn curvature(svg: &mut Svg, fine: &CurveResult, result: &CurveResult, signed: bo
     let low = known.iter().fold(0.0, |low: f64, &k| low.min(shown(k)));
     let high = known.iter().fold(0.0, |high: f64, &k| high.max(shown(k)));
     let pad = 0.06 * (high - low);
-    let (below, above) = (if low < 0.0 { pad } else { 0.0 }, if high > 0.0 { pad } else { 0.0 });
-    let t = Axis::linear(fine.t[0], fine.t[fine.t.len() - 1], [left, right], 5);
-    let k = Axis::linear(low - below, high + above, [bottom, top], 5);
+    let (under, above) = (if low < 0.0 { pad } else { 0.0 }, if high > 0.0 { pad } else { 0.0 });
+    let domain = drawn[0].result.curve.basis.domain();
+    let t = Axis::linear(domain[0], domain[1], [left, right], 5);
+    let k = Axis::linear(low - under, high + above, [bottom, top], 5);
     let label = if signed { "signed curvature κ (1/length)" } else { "curvature κ (1/length)" };
     frame(svg, &t, &k, "parameter t", label);
     if low < 0.0 && high > 0.0 {
         svg.line([left, k.at(0.0)], [right, k.at(0.0)], FAINT, 1.0);
     }
-    // Where the curvature is missing or beyond the panel the line is broken.
+    for drawn_curve in drawn {
+        line_of_curvature(svg, drawn_curve, (&t, &k), cut, drawn.len() == 1);
+    }
+    if cut < largest {
+        let note = format!("beyond the panel: up to {}", number(largest));
+        svg.text([right - 4.0, top - 6.0], Anchor::End, Font::SMALL, &note);
+    }
+}
+
+/// Where the curvature is missing or beyond `cut` the line is broken.
+fn line_of_curvature(svg: &mut Svg, drawn: &Drawn<'_>, (t, k): (&Axis, &Axis), cut: f64, alone: bool) {
+    let Drawn { result, fine, colour } = drawn;
     let mut pieces: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
     for (&at, value) in fine.t.iter().zip(&fine.curvature) {
         match value.filter(|value| value.abs() <= cut) {
@@ -118,19 +165,16 @@ fn curvature(svg: &mut Svg, fine: &CurveResult, result: &CurveResult, signed: bo
     for piece in pieces.into_iter().filter(|piece| piece.len() > 1) {
         let d = path(piece, false);
         svg.element(format_args!(
-            r#"path d="{d}" fill="none" stroke="{ACCENT}" stroke-width="2" stroke-linejoin="round""#
+            r#"path d="{d}" fill="none" stroke="{colour}" stroke-width="2" stroke-linejoin="round""#
         ));
     }
     let samples: Vec<(f64, Option<f64>)> =
         result.t.iter().copied().zip(result.curvature.iter().copied()).collect();
+    let ink = if alone { INK } else { colour };
     for (at, value) in few(&samples) {
         if let Some(value) = value.filter(|value| value.abs() <= cut) {
-            dot(svg, [t.at(*at), k.at(value)], 2.6, INK, INK);
+            dot(svg, [t.at(*at), k.at(value)], 2.6, ink, ink);
         }
-    }
-    if cut < largest {
-        let note = format!("beyond the panel: up to {}", number(largest));
-        svg.text([right - 4.0, top - 6.0], Anchor::End, Font::SMALL, &note);
     }
 }
 

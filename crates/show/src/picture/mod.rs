@@ -2,7 +2,9 @@
 
 mod axis;
 mod basis;
+mod blend;
 pub(crate) mod colour_bar;
+mod construction;
 mod convergence;
 mod curvature;
 mod deformation;
@@ -13,6 +15,7 @@ mod svg;
 mod view;
 
 pub use basis::basis_functions;
+pub use construction::construction;
 pub use drawing::{PICTURES, Picture};
 pub(crate) use svg::Escaped;
 
@@ -30,7 +33,8 @@ pub fn pictures(results: &Results, scene: Option<&Scene<'_>>) -> Vec<Picture> {
         });
         pictures.extend(map::picture(scene));
     }
+    pictures.extend(blend::picture(results));
     pictures.extend(convergence::picture(results));
-    pictures.extend(results.curve.as_ref().and_then(curvature::picture));
+    pictures.extend(curvature::picture(&results.curves));
     pictures
 }

@@ -10,6 +10,9 @@ pub(super) const FAINT: &str = "#5a6673";
 pub(super) const GRID: &str = "#e3e7ec";
 /// The one line that matters.
 pub(super) const ACCENT: &str = "#b3261e";
+/// Colours of lines of one kind: dark enough on white for labels, and told apart by most who see colours badly. Repeated beyond seven.
+pub(super) const LINES: [&str; 7] =
+    [ACCENT, "#0b63b0", "#1a7f4b", "#8a4fb0", "#a05a00", "#00798a", "#4a4f57"];
 
 /// An SVG picture as it grows, on a white ground.
 pub(crate) struct Svg {
@@ -58,6 +61,20 @@ impl Svg {
     /// Opens a group; [`Self::close`] ends it.
     pub(super) fn open(&mut self, attributes: fmt::Arguments<'_>) {
         let _ = writeln!(self.body, "<g {attributes}>");
+    }
+
+    /// Opens a group whose colours run into each other over so many pixels, while its outline stays as it is.
+    pub(super) fn open_smooth(&mut self, pixels: f64) {
+        let pixels = Length(pixels.clamp(0.5, 8.0));
+        let name = format!("smooth-{pixels}");
+        // What is blurred beyond the outline is made opaque again and cut off along it.
+        let _ = writeln!(
+            self.body,
+            "<filter id=\"{name}\" color-interpolation-filters=\"sRGB\"><feGaussianBlur stdDeviation=\"{pixels}\"/>\
+             <feComponentTransfer><feFuncA type=\"linear\" slope=\"1000\"/></feComponentTransfer>\
+             <feComposite operator=\"in\" in2=\"SourceAlpha\"/></filter>"
+        );
+        self.open(format_args!(r#"filter="url(#{name})""#));
     }
 
     pub(super) fn close(&mut self) {

@@ -18,6 +18,8 @@ pub(super) const CORNERS: usize = 13_900;
 const CELL: [f64; 2] = [290.0, 290.0];
 /// Height of the title above it.
 const HEAD: f64 = 42.0;
+/// How far colours run into each other, as a share of half the diagonal of a face: no face is seen by itself, however large it is printed.
+const SMOOTHING: f64 = 0.6;
 /// Space for the colour bar.
 const BAR: f64 = 110.0;
 
@@ -145,6 +147,7 @@ pub(super) fn surface(
         .find(|&s| sample.faces(s).map(|face| face.len()).sum::<usize>() <= most)
         .unwrap_or(4);
     let light = (camera.towards + camera.up * 0.7 - camera.right * 0.5).unit().unwrap_or(camera.towards);
+    let mut size = 0.0;
     let mut faces: Vec<(f64, String)> = sample
         .faces(stride)
         .map(|corners| {
@@ -160,6 +163,8 @@ pub(super) fn surface(
                 sum.map_or(colour::NONE, |sum| colour::diverging(sum * share))
             });
             let centre = camera.project(middle, at);
+            let corner = camera.project(points[0], at);
+            size += libm::hypot(corner[0] - centre[0], corner[1] - centre[1]);
             // A little larger, so that no gap shows between neighbours.
             let grown = points.iter().map(|&p| {
                 let q = camera.project(p, at);
@@ -171,9 +176,19 @@ pub(super) fn surface(
             (middle.dot(camera.towards), format!("<path fill=\"{fill}\" d=\"{}\"/>\n", path(grown, true)))
         })
         .collect();
-    faces.extend(borders(sample, |k| scene.local(sample.points[k]), camera, at, stride));
+    let size = size / faces.len().max(1) as f64;
+    let borders = borders(sample, |k| scene.local(sample.points[k]), camera, at, stride);
+    // Borders lie between the faces and stay sharp.
+    let smooth = borders.is_empty();
+    faces.extend(borders);
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if smooth {
+        svg.open_smooth(SMOOTHING * size);
+    }
     faces.iter().for_each(|(_, face)| svg.raw(face));
+    if smooth {
+        svg.close();
+    }
     for line in sample.lines.iter().filter(|line| line.kind == LineKind::Rim) {
         let is_closed = line.points.first() == line.points.last();
         let places = line.points[usize::from(is_closed)..].iter();

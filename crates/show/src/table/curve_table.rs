@@ -7,8 +7,8 @@ use plateau::CurveResult;
 
 const FIGURE: Form = Form::Decimals(7);
 
-/// Length and largest curvature of the curve.
-pub(crate) fn summary(curve: &CurveResult) -> Cells {
+/// Length and largest curvature of curves.
+pub(crate) fn summary(curves: &[CurveResult]) -> Cells {
     let columns = vec![
         Column::words("curve", ""),
         Column { rank: 2, ..Column::number("samples", "") },
@@ -17,13 +17,16 @@ pub(crate) fn summary(curve: &CurveResult) -> Cells {
         Column::number("largest |κ|", "1/length"),
         Column { rank: 3, ..Column::number("at t", "") },
     ];
-    let (largest, at) = match curve.sharpest() {
-        Some((k, curvature)) => (FIGURE.of(curvature.abs()), curve.t[k].to_string()),
-        None => ("–".into(), "–".into()),
+    let row = |curve: &CurveResult| {
+        let (largest, at) = match curve.sharpest() {
+            Some((k, curvature)) => (FIGURE.of(curvature.abs()), curve.t[k].to_string()),
+            None => ("–".into(), "–".into()),
+        };
+        let [length, error] = curve.length;
+        let (name, samples) = (curve.name.clone(), curve.t.len().to_string());
+        vec![name, samples, FIGURE.of(length), Form::Order.of(error), largest, at]
     };
-    let [length, error] = curve.length;
-    let (name, samples) = (curve.name.clone(), curve.t.len().to_string());
-    Cells::new(columns, vec![vec![name, samples, FIGURE.of(length), Form::Order.of(error), largest, at]])
+    Cells::new(columns, curves.iter().map(row).collect())
 }
 
 /// The first samples, at most `most`, with their points and curvatures.

@@ -24,15 +24,15 @@ pub const WIDTH: usize = 80;
 /// boundary, rim, kink, shape, (D − A)/A, max |H|, bound of D. A line says which.
 pub fn table(results: &Results, room: usize) -> String {
     let mut text = format!("{}\n\n", Printable(&results.title));
-    match &results.curve {
-        Some(curve) => {
-            text += &grid(&summary(curve), room).0;
-            if curve.t.len() <= LISTED {
+    match results.curves.as_slice() {
+        [first, rest @ ..] => {
+            text += &grid(&summary(&results.curves), room).0;
+            if first.t.len() <= LISTED && rest.is_empty() {
                 text.push('\n');
-                text += &grid(&samples(curve, LISTED), room).0;
+                text += &grid(&samples(first, LISTED), room).0;
             }
         }
-        None => {
+        [] => {
             let (table, left_out) = grid(&cells(results, Place::Everywhere, usize::MAX), room);
             text += &table;
             if !left_out.is_empty() {

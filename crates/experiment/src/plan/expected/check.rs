@@ -1,5 +1,7 @@
 //! `expect` and `published` tables.
 
+use std::ops::Range;
+
 use plateau::{Family, Quantity};
 use serde_spanned::Spanned;
 
@@ -12,11 +14,18 @@ use crate::text::{Faults, Given, Table, Tables, counted, half_unit_of_last_digit
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Subject {
-    Patch { family: Family, searched: bool },
+    Patch {
+        family: Family,
+        searched: bool,
+    },
     Film,
     Helicoid,
     Net,
-    Curve { samples: usize },
+    /// As many samples in all; with several shapes, where these are listed.
+    Curve {
+        samples: usize,
+        shapes: Option<[usize; 2]>,
+    },
 }
 
 impl Subject {
@@ -69,8 +78,16 @@ impl Subject {
     fn length(self, quantity: Quantity) -> Option<usize> {
         match (self, quantity) {
             (Self::Patch { family, .. }, Quantity::Shape(_)) => Some(family.parameters().len()),
-            (Self::Curve { samples }, Quantity::Curvature(_)) => Some(samples),
+            (Self::Curve { samples, .. }, Quantity::Curvature(_)) => Some(samples),
             _ => None,
+        }
+    }
+
+    /// Where that number comes from besides.
+    fn counted_by(self) -> Option<Range<usize>> {
+        match self {
+            Self::Curve { shapes, .. } => shapes.map(|[start, end]| start..end),
+            Self::Patch { .. } | Self::Film | Self::Helicoid | Self::Net => None,
         }
     }
 }
@@ -133,7 +150,7 @@ fn expected(table: &Table<'_>, subject: Option<Subject>) -> Option<Vec<Expected>
             is_sound = false;
             continue;
         }
-        match entry(table, quantity, given, subject.length(quantity)) {
+        match entry(table, quantity, given, (subject.length(quantity), subject.counted_by())) {
             Some(entry) => numbers.extend(entry),
             None => is_sound = false,
         }
@@ -145,7 +162,7 @@ fn entry(
     table: &Table<'_>,
     quantity: Quantity,
     given: Spanned<Expectation>,
-    length: Option<usize>,
+    (length, counted_by): (Option<usize>, Option<Range<usize>>),
 ) -> Option<Vec<Expected>> {
     let (faults, span) = (table.faults(), given.span());
     match given.into_inner() {
@@ -168,13 +185,14 @@ fn entry(
                 ),
                 None => ("expected one number".to_owned(), format!("write one number: {name} = 1.5")),
             };
-            let found = counted(list.len(), "number");
-            faults.inadmissible(
-                span,
-                format!("`{name}` in {} is a list of {found}", table.name()),
-                label,
-                help,
-            );
+            let message =
+                format!("`{name}` in {} is a list of {}", table.name(), counted(list.len(), "number"));
+            match counted_by {
+                Some(shapes) => {
+                    faults.conflict((span, &label), (shapes, "a curve for each of these"), message, help)
+                }
+                None => faults.inadmissible(span, message, label, help),
+            }
             None
         }
     }
