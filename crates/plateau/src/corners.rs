@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use surfaces::{Complex, ComplexError, Point, Side};
+use surfaces::{Complex, ComplexError, Patch, Point, Side};
 
 /// How far from a corner a layer of smaller patches reaches, as a share of the patch there.
 const SHARE: f64 = 0.15;
@@ -15,9 +15,16 @@ const SMOOTH: f64 = PI / 36.0;
 const WHOLE: f64 = 1e-6;
 const STRAIGHT: f64 = 1e-10;
 
+/// Parameters of the corners of a face, and how far within it its angle is seen.
+const AT: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+const WITHIN: f64 = 0.3;
+
+/// A surface that opens by so much more or less than its corner, seen that far within, turns too fast near it for one patch.
+const TURNING: f64 = PI / 12.0;
+
 /// The vertices of the rim, and of wires, at which the surface of least area cannot be continued across the border, so that no
-/// polynomial comes near it fast: all corners but those of angle π/k between straight sides, where reflections continue it. Corners
-/// within 5° of 180° are left out.
+/// polynomial comes near it fast: all corners but those of angle π/k between straight sides, where reflections continue it and
+/// the surface does not turn away within a patch. Corners within 5° of 180° are left out.
 pub fn odd_corners(complex: &Complex) -> Vec<usize> {
     let mut at: Vec<Vec<(usize, usize)>> = vec![Vec::new(); complex.vertices()];
     for (face, quad) in complex.faces().iter().enumerate() {
@@ -50,9 +57,7 @@ fn sectors(complex: &Complex, around: &[(usize, usize)]) -> Vec<Sector> {
         let mut reached = vec![first];
         while let Some((face, corner)) = reached.pop() {
             let edges = edges_at(complex, face, corner);
-            let vertex = complex.faces()[face].vertices()[corner];
-            let [a, b] = edges.map(|edge| direction(complex, edge, vertex));
-            sector.angle += libm::atan2(a.cross(b).norm(), a.dot(b));
+            sector.angle += opening(complex, face, corner);
             for edge in edges {
                 let here = &complex.edges()[edge];
                 if here.is_fixed() || here.uses().len() != 2 {
@@ -71,6 +76,21 @@ fn sectors(complex: &Complex, around: &[(usize, usize)]) -> Vec<Sector> {
         sectors.push(sector);
     }
     sectors
+}
+
+/// The angle of a face at one of its corners, seen from there to points so far within it that it does not matter if the parameters crowd
+/// towards the corner.
+fn opening(complex: &Complex, face: usize, corner: usize) -> f64 {
+    let Ok(patch) = complex.patch(face) else { return 0.0 };
+    let [(u, v), (across_u, across_v)] = [corner, (corner + 2) % 4].map(|k| AT[k]);
+    let place = |s: f64, t: f64| patch.point(u + (across_u - u) * s, v + (across_v - v) * t);
+    let from = place(0.0, 0.0);
+    let seen = [(WITHIN, 0.0), (WITHIN, WITHIN), (0.0, WITHIN)].map(|(s, t)| place(s, t) - from);
+    seen.windows(2).map(|pair| between(pair[0], pair[1])).sum()
+}
+
+fn between(a: Point, b: Point) -> f64 {
+    libm::atan2(a.cross(b).norm(), a.dot(b))
 }
 
 /// The two edges of a face at one of its corners.
@@ -105,8 +125,8 @@ impl Sector {
         if a == Point::ZERO || b == Point::ZERO {
             return false;
         }
-        let between = libm::atan2(a.cross(b).norm(), a.dot(b));
-        let inside = if self.angle > PI { 2.0 * PI - between } else { between };
+        let seen = between(a, b);
+        let inside = if self.angle > PI { 2.0 * PI - seen } else { seen };
         if (inside - PI).abs() < SMOOTH {
             return false;
         }
@@ -115,6 +135,7 @@ impl Sector {
             parts > 1.5 && (parts - parts.round()).abs() <= WHOLE * parts
         };
         let is_line = |edge: usize| complex.edges()[edge].is_fixed() && is_straight(complex, edge);
-        !(is_line(first) && is_line(second) && is_part())
+        let turns = (self.angle - inside).abs() > TURNING;
+        turns || !(is_line(first) && is_line(second) && is_part())
     }
 }

@@ -100,6 +100,20 @@ fn corners_between_straight_sides_at_parts_of_a_straight_angle_get_none() {
     assert_eq!(odd_corners(&filled(Fill::default().with_degree(4), saddle()).complex).len(), 4);
 }
 
+/// Around the corner that looks in, the surface turns within a fraction of a patch, though it meets the corner at 90°.
+#[test]
+fn a_corner_where_the_surface_turns_away_gets_one() {
+    let corners =
+        [[0., 0., 0.], [2., 0., 0.], [2., 1., 1.], [1., 1., 0.], [1., 2., 0.], [0., 2., 0.]].map(Point::from);
+    let rim = || Loop::polygon(&corners).expect("a polygon");
+    let (without, with) = (filled(Fill::default(), rim()), filled(Fill::default().with_layers(1), rim()));
+    assert_eq!((odd_corners(&without.complex), with.layers), (vec![6], 1));
+    // Degrees 6 and 8 are estimated to lie 2.0e-7 and 5.9e-8 above it, their areas differ by 1.4e-7.
+    const LEAST: f64 = 3.264_333_138_1;
+    let [without, with] = [without, with].map(|film| film.figures.area.value - LEAST);
+    assert!((1e-7..3e-7).contains(&without) && (0.0..2e-8).contains(&with), "{without} {with}");
+}
+
 /// What a film with a layer tells of itself is as of any: one name a vertex, a watertight mesh, small kinks, the same rim.
 #[test]
 fn a_film_with_a_layer_is_a_film() {

@@ -2,6 +2,8 @@
 
 use std::collections::HashSet;
 
+use energy::EnergyError;
+
 use super::fill::{Fill, Solution};
 use crate::corners::graded;
 use crate::{AreaEnd, AreaExtremal, MethodError, Progress, Seams, least_area_complex_near, odd_corners};
@@ -21,8 +23,12 @@ impl Fill {
         let Some(coarse) = solution.extremal.filter(|found| is_minimum(found) && !corners.is_empty()) else {
             return Ok(solution);
         };
-        let fine = graded(&solution.complex, &corners)?;
-        let (complex, found) = least_area_complex_near(&fine, self.tolerance, progress)?;
+        // What cannot be made, or is singular, costs nothing that was found.
+        let Ok(fine) = graded(&solution.complex, &corners) else { return Ok(solution) };
+        let (complex, found) = match least_area_complex_near(&fine, self.tolerance, progress) {
+            Err(MethodError::Energy(EnergyError::Singular { .. })) => return Ok(solution),
+            found => found?,
+        };
         let seams = Seams::of(&complex)?;
         if found.area.value >= coarse.area.value || seams.folds() && !solution.seams.folds() {
             return Ok(solution);
