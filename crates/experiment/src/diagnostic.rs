@@ -112,6 +112,11 @@ impl Diagnostic {
         self.span.clone()
     }
 
+    /// The places that explain the first.
+    pub(crate) fn related(&self) -> impl Iterator<Item = &Range<usize>> {
+        self.related.iter().map(|(span, _)| span)
+    }
+
     /// Line and column of the place in `text`, from 1, columns in characters.
     #[must_use]
     pub fn position(&self, text: &str) -> Option<(usize, usize)> {

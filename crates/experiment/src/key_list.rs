@@ -18,7 +18,7 @@ pub fn key_list() -> String {
          program. -->\n\nA key without a default may be left out, unless it is **needed**. Numbers may be written with or without a \
          point. Tables in the list are described by what follows.\n",
     );
-    let tables: [(&str, &Section); 17] = [
+    let tables: [(&str, &Section); 19] = [
         ("The file", &EXPERIMENT),
         ("[boundary]", &keys::boundary::SECTION),
         ("[[curve]]", &boundary_curve::SECTION),
@@ -36,6 +36,8 @@ pub fn key_list() -> String {
         ("[net]", &keys::net::SECTION),
         ("[curve]", &keys::curve::SECTION),
         ("[output]", &keys::output::SECTION),
+        ("[sweep]", &keys::sweep::SECTION),
+        ("[[sweep.axis]]", &keys::sweep::axis::SECTION),
     ];
     for (header, section) in tables {
         let code = if header.contains('[') || header.contains('{') { "`" } else { "" };

@@ -10,6 +10,7 @@ pub(crate) mod method;
 pub(crate) mod net;
 pub(crate) mod output;
 pub(crate) mod search;
+pub(crate) mod sweep;
 
 use crate::text::{Inner, Key, OneOrSeveral, Section, Several, Text, Ways, Whole};
 
@@ -37,13 +38,14 @@ pub(crate) static FACE: Key<Several> = Key::table("face", Several(&face::SECTION
 pub(crate) static VERTEX: Key<Several> = Key::table("vertex", Several(&face::vertex::SECTION));
 pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTION));
 pub(crate) static OUTPUT: Key<Inner> = Key::table("output", Inner(&output::SECTION));
+pub(crate) static SWEEP: Key<Inner> = Key::table("sweep", Inner(&sweep::SECTION));
 
 /// The file as a whole.
 pub(crate) static EXPERIMENT: Section = Section {
     doc: "an experiment file of plateau: one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [net], [curve]",
     keys: &[
         &TITLE, &SEED, &BOUNDARY, &METHOD, &SEARCH, &HELICOID, &TRAPEZIUM, &NET, &CURVE, &FACE, &VERTEX,
-        &EXPECT, &OUTPUT,
+        &EXPECT, &OUTPUT, &SWEEP,
     ],
     ways: Ways::Any(&[
         &["boundary", "method"],

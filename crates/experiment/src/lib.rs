@@ -1,7 +1,7 @@
 //! Experiments: files in, checked plans out, and what comes of them.
 //!
 //! A [`Plan`] is an experiment file, read and checked ([`Diagnostic`]s point at what is wrong with it). [`run()`] computes every
-//! method of a plan by the engine and sets beside it what the file wants of the figures.
+//! method of a plan by the engine and sets beside it what the file wants of the figures. A [`Sweep`] is many plans of one file.
 //!
 //! ```
 //! use experiment::{Options, Plan, run};
@@ -34,6 +34,7 @@ mod limits;
 mod plan;
 mod run;
 mod schema;
+mod sweep;
 mod template;
 mod text;
 
@@ -47,4 +48,5 @@ pub use plan::{
 };
 pub use run::{Finished, Missed, Options, run, run_kept};
 pub use schema::experiment_schema;
+pub use sweep::{Axis, Cell, Setting, Source, Sweep};
 pub use template::Template;

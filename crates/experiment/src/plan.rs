@@ -26,6 +26,7 @@ mod shape;
 mod side;
 
 pub use self::experiment::stem;
+pub(crate) use file::{text_from, text_of};
 
 use plateau::{Curve, Helicoid, OwnNet, TrapeziumHelicoid};
 

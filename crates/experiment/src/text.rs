@@ -36,6 +36,6 @@ pub(crate) use place::Place;
 pub(crate) use points::{PointList, Points};
 pub(crate) use reals::Reals;
 pub(crate) use table::{Inner, OneOrSeveral, Several, Table, Tables};
-pub(crate) use value::Value;
+pub(crate) use value::{Value, finite};
 pub(crate) use vector::Vector;
 pub(crate) use whole::Whole;

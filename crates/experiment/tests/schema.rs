@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use experiment::{Plan, Template, experiment_schema};
+use experiment::{Source, Template, experiment_schema};
 use serde_json::Value;
 
 fn schema() -> Value {
@@ -152,7 +152,10 @@ fn slips_are_invalid() {
 
 /// What the parser says of a file with `stray` in it, in one line.
 fn complaint(text: &str) -> String {
-    Plan::parse("probe.toml", text).expect_err("a stray word is refused").to_string().replace('\n', " ")
+    Source::parse("probe.toml", text, Path::new(""))
+        .expect_err("a stray word is refused")
+        .to_string()
+        .replace('\n', " ")
 }
 
 /// A file in which `line` stands in one table.
@@ -209,6 +212,8 @@ fn tables(schema: &Value) -> Vec<(&'static str, &Value)> {
         ("[face]", at("/properties/face/items")),
         ("[vertex]", at("/properties/vertex/items")),
         ("output", at("/properties/output")),
+        ("sweep", at("/properties/sweep")),
+        ("[sweep.axis]", at("/properties/sweep/properties/axis/items")),
         ("method.expect", at("/properties/method/items/properties/expect")),
         ("method.published", at("/properties/method/items/properties/published/anyOf/0")),
         ("method.expect.area", at("/properties/expect/properties/area/anyOf/2")),
@@ -307,7 +312,7 @@ fn the_bounds_are_those_of_the_parser() {
                         (name, _) => name,
                     };
                     let probe = probe(table, &format!("{key} = {value}"));
-                    let found = Plan::parse("probe.toml", &probe).err();
+                    let found = Source::parse("probe.toml", &probe, Path::new("")).err();
                     let named = format!("`{key}`");
                     let refused = |d: &experiment::Diagnostic| {
                         d.message().starts_with(&named) && d.message().contains(" must ")

@@ -108,7 +108,8 @@ pub(crate) fn figures() -> impl Iterator<Item = (Quantity, &'static Key<Expected
     Quantity::ALL.iter().copied().zip(&KEYS)
 }
 
-static QUANTITIES: [(&str, Quantity); COUNT] = {
+/// Every figure by its name.
+pub(crate) static QUANTITIES: [(&str, Quantity); COUNT] = {
     let mut names = [("", Quantity::Dirichlet); COUNT];
     let mut k = 0;
     while k < COUNT {

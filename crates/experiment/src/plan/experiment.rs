@@ -20,7 +20,8 @@ use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::boundary::{LOOPS, POLYGON, SIDES};
 use crate::keys::output::{FORMATS, MESH, PICTURES, STEP_TOLERANCE};
 use crate::keys::{
-    BOUNDARY, CURVE, EXPECT, FACE, HELICOID, METHOD, NET, OUTPUT, SEARCH, SEED, TITLE, TRAPEZIUM, VERTEX,
+    BOUNDARY, CURVE, EXPECT, FACE, HELICOID, METHOD, NET, OUTPUT, SEARCH, SEED, SWEEP, TITLE, TRAPEZIUM,
+    VERTEX,
 };
 use crate::text::{Given, Table, Tables};
 
@@ -28,6 +29,12 @@ const KINDS: &str = "an experiment holds one of [boundary] or [[face]] with [[me
 
 /// The plan that a file describes; its faults are reported.
 pub(super) fn plan(root: &Table<'_>, file: &str) -> Option<Plan> {
+    if let Some(span) = root.place(&[SWEEP.name()]) {
+        let message = "this file is a sweep: many experiments, not one";
+        let help = "`plateau run` runs all of its cells; take [sweep] out to have one experiment";
+        root.faults().clash((span, "makes many of one"), message, help);
+        return None;
+    }
     let title = root.require(&TITLE);
     let seed = root.take_or_default(&SEED);
     let output = root.inner_or_empty(&OUTPUT).and_then(|table| output(&table));

@@ -19,8 +19,7 @@ impl Plan {
     /// A [`Refusal`] with every fault that could be told apart: the file cannot be opened, is larger
     /// than [`MAX_FILE_SIZE`], is not UTF-8 or not TOML, or asks for something that does not make sense.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Refusal> {
-        let file = path.as_ref().display().to_string();
-        Self::parse(&file, &contents(&file, &mut open(path.as_ref())?)?)
+        Self::parse(&path.as_ref().display().to_string(), &text_of(path.as_ref())?)
     }
 
     /// Reads and checks an experiment from a stream; `file` names it in messages, and its stem names the output folder.
@@ -29,7 +28,7 @@ impl Plan {
     ///
     /// As [`Self::read`].
     pub fn read_from(file: &str, stream: &mut dyn Read) -> Result<Self, Refusal> {
-        Self::parse(file, &contents(file, stream)?)
+        Self::parse(file, &text_from(file, stream)?)
     }
 
     /// Checks the text of an experiment file; `file` names it in messages, and its stem names the output folder.
@@ -87,6 +86,11 @@ fn of_curves(file: &str, text: &str, mut diagnostics: Vec<Diagnostic>) -> Vec<Di
     diagnostics
 }
 
+/// The text of a file that is not too large.
+pub(crate) fn text_of(path: &Path) -> Result<String, Refusal> {
+    text_from(&path.display().to_string(), &mut open(path)?)
+}
+
 /// A file that is there, and not larger than is read.
 fn open(path: &Path) -> Result<File, Refusal> {
     let name = path.display().to_string();
@@ -103,7 +107,7 @@ fn open(path: &Path) -> Result<File, Refusal> {
 }
 
 /// The text of a stream that is not too large; a pipe or a device has no length beforehand.
-fn contents(name: &str, stream: &mut dyn Read) -> Result<String, Refusal> {
+pub(crate) fn text_from(name: &str, stream: &mut dyn Read) -> Result<String, Refusal> {
     let mut bytes = Vec::new();
     stream.take(MAX_FILE_SIZE + 1).read_to_end(&mut bytes).map_err(|error| unreadable(name, &error))?;
     if bytes.len() as u64 > MAX_FILE_SIZE {

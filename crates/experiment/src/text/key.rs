@@ -27,6 +27,11 @@ impl<K: Copy> Key<K> {
         Self::new(name, kind, "")
     }
 
+    /// As the file writes it.
+    pub(crate) const fn name(&self) -> &'static str {
+        self.head.name
+    }
+
     /// The value that it has if it is left out, as the file would write it.
     pub(crate) const fn or(self, default: &'static str) -> Self {
         Self { head: Head { default: Some(default), ..self.head }, ..self }

@@ -277,6 +277,15 @@ impl<'t> Table<'t> {
         }
     }
 
+    /// The table under a key that must be there.
+    pub(crate) fn require_inner(&self, key: &Key<Inner>) -> Option<Table<'t>> {
+        let given = self.inner(key);
+        if given.is_absent() {
+            self.missing(key.head().name, &key.head().remedy());
+        }
+        given.sound().map(Spanned::into_inner)
+    }
+
     /// The tables under a key that may be repeated.
     pub(crate) fn several(&self, key: &Key<Several>) -> Given<Vec<Table<'t>>> {
         match self.value(key.head().name) {

@@ -28,6 +28,11 @@ pub(super) fn real(value: &DeValue<'_>) -> Option<Result<f64, TooLarge>> {
     }
 }
 
+/// The finite number that a value is, if it is one.
+pub(crate) fn finite(value: &DeValue<'_>) -> Option<f64> {
+    real(value)?.ok().filter(|number| number.is_finite())
+}
+
 /// A whole number of any sign. `None` if the value is none.
 pub(super) fn whole(value: &DeValue<'_>) -> Option<Result<i128, TooLarge>> {
     value.as_integer().map(integral)
