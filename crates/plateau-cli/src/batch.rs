@@ -3,72 +3,68 @@
 use std::io::Write;
 use std::time::Duration;
 
-use console::Term;
-use experiment::{Finished, Options, Plan, run_kept};
+use experiment::{Finished, Options, Plan, Source, run_kept};
 use plateau::Progress;
 use record::{Checkpoint, Manifest, deliver_watched, earlier, folder, prepare};
-use show::{WIDTH, table};
+use show::table;
+use sweep::Shard;
 
 use crate::bars::Bars;
 use crate::command::{self, Failure, RunArguments, line, say};
 use crate::interrupt::{interrupted, listen};
-use crate::outlet::Outlet;
+use crate::outcome::Outcome;
+use crate::outlet::{Outlet, room};
+use crate::sweeps;
 
 /// Runs the files; a failure of one experiment loses none of the others, nor does one of stdout.
 pub(crate) fn run(arguments: &RunArguments, stdout: &mut impl Write) -> Result<(), Failure> {
-    let plans = command::read_plans(&arguments.files)?;
-    command::distinct_stems(&plans, &arguments.out)?;
+    let sources = command::read_sources(&arguments.files)?;
+    command::distinct_stems(&sources, &arguments.out)?;
+    let shard = sweeps::shard_of(&sources, arguments)?;
     command::start_threads(arguments.threads)?;
     listen();
     let mut outlet = Outlet::new(stdout);
-    let outcome = experiments(&plans, arguments, &mut outlet);
+    let outcome = experiments(&sources, shard, arguments, &mut outlet);
     outlet.conclude(outcome)
 }
 
-fn experiments(plans: &[Plan], arguments: &RunArguments, stdout: &mut impl Write) -> Result<(), Failure> {
+fn experiments(
+    sources: &[Source],
+    shard: Shard,
+    arguments: &RunArguments,
+    stdout: &mut impl Write,
+) -> Result<(), Failure> {
     let bars = Bars::new(arguments.quiet);
     let options = Options { seed: arguments.seed, arithmetic: arguments.arithmetic.into() };
     let mut sound = true;
-    for (k, plan) in plans.iter().enumerate() {
+    for (k, source) in sources.iter().enumerate() {
         if k > 0 && !arguments.json {
             writeln!(stdout)?;
         }
-        sound &= match experiment(plan, options, arguments, &bars, stdout)? {
+        let outcome = match source {
+            Source::Experiment(plan) => experiment(plan, options, arguments, &bars, stdout)?,
+            Source::Sweep(sweep) => sweeps::cells(sweep, shard, options, arguments, &bars, stdout)?,
+        };
+        sound &= match outcome {
             Outcome::Sound => true,
             Outcome::Unsound => false,
             Outcome::Interrupted(kept) => {
-                say(&told_of_interrupt(k, plans, &kept));
+                say(&told_of_interrupt(k, sources, &kept));
                 return Err(Failure::Interrupted);
             }
         };
-        if interrupted() && k + 1 < plans.len() {
-            say(&told_of_interrupt(k + 1, plans, ""));
+        if interrupted() && k + 1 < sources.len() {
+            say(&told_of_interrupt(k + 1, sources, ""));
             return Err(Failure::Interrupted);
         }
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
 }
 
-/// What became of an experiment.
-enum Outcome {
-    /// All of it succeeded and met what its file expects.
-    Sound,
-    /// Something did not; it has been told.
-    Unsound,
-    /// It was not finished; what is kept of it.
-    Interrupted(String),
-}
-
-impl Outcome {
-    fn of(sound: bool) -> Self {
-        if sound { Self::Sound } else { Self::Unsound }
-    }
-}
-
-fn told_of_interrupt(done: usize, plans: &[Plan], kept: &str) -> String {
+fn told_of_interrupt(done: usize, sources: &[Source], kept: &str) -> String {
     format!(
         "interrupted: {done} of {} experiments done and written{kept}; to go on, add --resume to the same command",
-        plans.len()
+        sources.len()
     )
 }
 
@@ -247,13 +243,6 @@ pub(crate) fn reproduce(json: bool, quiet: bool, stdout: &mut impl Write) -> Res
         write!(stdout, "{}", reproduction.table())?;
     }
     if reproduction.is_sound() { Ok(()) } else { Err(Failure::Result) }
-}
-
-/// The columns of the terminal, or what `COLUMNS` says; [`WIDTH`] where stdout is no terminal.
-fn room() -> usize {
-    let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
-    let terminal = || Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
-    said.or_else(terminal).unwrap_or(WIDTH)
 }
 
 fn expectations(plan: &Plan, finished: &Finished, stdout: &mut impl Write) -> Result<bool, Failure> {

@@ -8,9 +8,10 @@ use clap::builder::PossibleValue;
 use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use experiment::{Experiment, Plan, Refusal, Template};
-use record::{folder, folder_key};
+use experiment::{Experiment, Plan, Refusal, Source, Template};
+use record::{folder_key, folder_of};
 use show::Printable;
+use sweep::Asked;
 
 use crate::costs::costs;
 
@@ -31,7 +32,7 @@ const EXIT_STATUS: &str = "Exit status: 0 done; 1 it ran, but an expected number
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Run experiments: a table for each on stdout, and DIR/<file stem>/result.json
+    /// Run experiments: a table for each on stdout, and DIR/<file stem>/result.json; of a sweep, a folder for each cell
     Run(RunArguments),
     /// Check experiment files without running them
     Check {
@@ -39,6 +40,8 @@ pub(crate) enum Command {
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
+    /// Make one table of the cells of a sweep, from the folders of all its shards
+    Merge(MergeArguments),
     /// Compute results again from the experiments in them, and compare every number
     Verify(VerifyArguments),
     /// Reproduce the tables of the papers: every printed number beside ours
@@ -90,8 +93,12 @@ pub(crate) struct RunArguments {
     /// Threads to use; by default one per processor. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+    /// Of a sweep, only the cells of shard K of N; /N takes K from SLURM_ARRAY_TASK_ID or HQ_TASK_ID. Without it, a task of a Slurm
+    /// array runs its share, everybody else all cells
+    #[arg(long, value_name = "K/N")]
+    pub(crate) shard: Option<Asked>,
     /// Go on after an interruption: experiments whose results are there are not run again, finished search runs are taken
-    /// from checkpoints. The results are those of an undisturbed run
+    /// from checkpoints. The results are those of an undisturbed run. Cells of a sweep always go on
     #[arg(long)]
     pub(crate) resume: bool,
     /// Least time between two checkpoints of finished search runs, in seconds
@@ -169,6 +176,20 @@ fn pair(text: &str) -> Result<[f64; 2], String> {
         Some((first, second)) => Ok([number(first)?, number(second)?]),
         None => Err("two numbers are needed, as in 1,2".to_owned()),
     }
+}
+
+/// What `merge` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct MergeArguments {
+    /// Folders that shards of one sweep were run into: DIR/<file stem> of `plateau run`
+    #[arg(required = true, value_name = "DIR")]
+    pub(crate) folders: Vec<PathBuf>,
+    /// Folder of merged.csv, merged.json, plots.svg and index.html; by default the first DIR
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print merged.json on stdout instead of the table
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// What `import` takes.
@@ -383,21 +404,25 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Every file as a plan, or every refusal on stderr.
-pub(crate) fn read_plans(files: &[PathBuf]) -> Result<Vec<Plan>, Failure> {
-    let mut plans = Vec::new();
+/// Every file, or every refusal on stderr.
+pub(crate) fn read_sources(files: &[PathBuf]) -> Result<Vec<Source>, Failure> {
+    let mut sources = Vec::new();
     for file in files {
-        match read_plan(file) {
-            Ok(plan) => plans.push(plan),
+        match read_source(file) {
+            Ok(source) => sources.push(source),
             Err(refusal) => tell(&refusal),
         }
     }
-    if plans.len() == files.len() { Ok(plans) } else { Err(Failure::Input) }
+    if sources.len() == files.len() { Ok(sources) } else { Err(Failure::Input) }
 }
 
-/// A file as a plan; `-` is stdin, whose results go to the folder `stdin`.
-fn read_plan(file: &Path) -> Result<Plan, Refusal> {
-    if file == Path::new("-") { Plan::read_from("stdin", &mut io::stdin().lock()) } else { Plan::read(file) }
+/// A file as an experiment or a sweep; `-` is stdin, whose results go to the folder `stdin`.
+fn read_source(file: &Path) -> Result<Source, Refusal> {
+    if file == Path::new("-") {
+        Source::read_from("stdin", &mut io::stdin().lock())
+    } else {
+        Source::read(file)
+    }
 }
 
 /// The threads that were asked for.
@@ -410,16 +435,16 @@ pub(crate) fn start_threads(threads: Option<u16>) -> Result<(), Failure> {
 }
 
 /// Two files whose results would lie in the same folder are bad usage.
-pub(crate) fn distinct_stems(plans: &[Plan], out: &Path) -> Result<(), Failure> {
-    let mut first: HashMap<String, &Plan> = HashMap::new();
-    for plan in plans {
-        if let Some(other) = first.insert(folder_key(plan), plan) {
-            let [mine, theirs] = [plan, other].map(|plan| folder(plan, out));
+pub(crate) fn distinct_stems(sources: &[Source], out: &Path) -> Result<(), Failure> {
+    let mut first: HashMap<String, &Source> = HashMap::new();
+    for source in sources {
+        if let Some(other) = first.insert(folder_key(&source.stem()), source) {
+            let [mine, theirs] = [source, other].map(|source| folder_of(&source.stem(), out));
             let but = if mine == theirs { "" } else { ", where a disk does not tell capitals apart" };
             say(&format!(
                 "error: {} and {} would both write to {}{but}: rename one, or run them with different --out",
-                other.file,
-                plan.file,
+                other.file(),
+                source.file(),
                 theirs.display()
             ));
             return Err(Failure::Input);
@@ -432,10 +457,10 @@ pub(crate) fn distinct_stems(plans: &[Plan], out: &Path) -> Result<(), Failure> 
 pub(crate) fn check(files: &[PathBuf], stdout: &mut impl Write) -> Result<(), Failure> {
     let mut sound = true;
     for file in files {
-        match read_plan(file) {
-            Ok(plan) => {
-                line(stdout, &format!("{}: sound, {}", plan.file, subject(&plan)))?;
-                for cost in costs(&plan) {
+        match read_source(file) {
+            Ok(source) => {
+                line(stdout, &format!("{}: sound, {}", source.file(), what_it_is(&source)))?;
+                for cost in costs(&source) {
                     line(stdout, &format!("  {cost}"))?;
                 }
             }
@@ -447,6 +472,22 @@ pub(crate) fn check(files: &[PathBuf], stdout: &mut impl Write) -> Result<(), Fa
         }
     }
     if sound { Ok(()) } else { Err(Failure::Input) }
+}
+
+/// What a file asks for.
+fn what_it_is(source: &Source) -> String {
+    match source {
+        Source::Experiment(plan) => subject(plan),
+        Source::Sweep(sweep) => {
+            let axes: Vec<String> = sweep
+                .axes()
+                .iter()
+                .filter(|axis| axis.with().is_none())
+                .map(|axis| format!("{} of {}", axis.settings().len(), axis.name()))
+                .collect();
+            format!("a sweep of {} cells ({})", sweep.cells(), axes.join(" × "))
+        }
+    }
 }
 
 /// `completions`.

@@ -1,13 +1,41 @@
 //! What an experiment is about to cost, in words.
 
-use experiment::{Experiment, Plan};
+use experiment::{Experiment, Plan, Source, Sweep};
 use plateau::{Cost, Method, SearchMode};
 
 /// Methods that take less on one core are not spoken of.
 const WORTH_TELLING: f64 = 1.0;
 
-/// What the methods of least area cost that cost much, a line each.
-pub(crate) fn costs(plan: &Plan) -> Vec<String> {
+/// What the methods of least area cost that cost much, a line each; of a sweep what they cost together.
+pub(crate) fn costs(source: &Source) -> Vec<String> {
+    match source {
+        Source::Experiment(plan) => costs_of_one(plan),
+        Source::Sweep(sweep) => cost_of_all(sweep).into_iter().collect(),
+    }
+}
+
+/// What the least areas of all cells cost together.
+fn cost_of_all(sweep: &Sweep) -> Option<String> {
+    let (mut seconds, mut others) = (0.0, 0);
+    for index in 0..sweep.cells() {
+        let plan = sweep.plan(index).ok()?;
+        let Experiment::Patch(patches) = &plan.experiment else {
+            others += usize::from(matches!(plan.experiment, Experiment::Film(_)));
+            continue;
+        };
+        let degrees = patches.boundary.degrees();
+        let costs = patches.methods.iter().filter_map(|method| method.cost(degrees, &patches.search));
+        seconds += costs.map(|cost| cost.seconds).sum::<f64>();
+    }
+    let uncounted = match others {
+        0 => "",
+        _ => "; surfaces over loops and faces are not estimated",
+    };
+    (seconds >= WORTH_TELLING || others > 0)
+        .then(|| format!("its least areas take about {} on one core{uncounted}", duration(seconds)))
+}
+
+fn costs_of_one(plan: &Plan) -> Vec<String> {
     let Experiment::Patch(patches) = &plan.experiment else { return Vec::new() };
     let degrees = patches.boundary.degrees();
     let told = |method: &Method| {
@@ -81,7 +109,7 @@ mod tests {
         let plan = Plan::parse("a.toml", text).expect("sound");
         let Experiment::Patch(patches) = &plan.experiment else { panic!("a patch") };
         assert_eq!(patches.methods[0].search_mode(), Some(SearchMode::Polish));
-        let told = costs(&plan);
+        let told = costs_of_one(&plan);
         let [swarm] = told.as_slice() else { panic!("{told:?}") };
         assert!(swarm.starts_with("\"by a swarm\": some 50651 least areas, about "), "{swarm}");
         assert!(

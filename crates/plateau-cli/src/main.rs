@@ -16,7 +16,9 @@ mod costs;
 mod drawing;
 mod fill;
 mod interrupt;
+mod outcome;
 mod outlet;
+mod sweeps;
 mod verify;
 
 fn main() -> ExitCode {
@@ -48,6 +50,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Run(arguments) => batch::run(&arguments, stdout),
         Command::Check { files } => command::check(&files, stdout),
         Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
+        Command::Merge(arguments) => sweeps::merge_folders(&arguments, stdout),
         Command::Verify(arguments) => verify::results(&arguments, stdout),
         Command::Fill(arguments) => fill::fill(&arguments, stdout),
         Command::Import(arguments) => conversion::import(&arguments, stdout),

@@ -2,6 +2,9 @@
 
 use std::io::{self, ErrorKind, Write};
 
+use console::Term;
+use show::WIDTH;
+
 use crate::command::{Failure, say};
 
 /// Passes on what is written until that fails once; from then on everything is dropped, for results are kept on disk and
@@ -46,4 +49,11 @@ impl<W: Write> Write for Outlet<'_, W> {
         }
         Ok(())
     }
+}
+
+/// The columns of the terminal, or what `COLUMNS` says; [`WIDTH`] where stdout is no terminal.
+pub(crate) fn room() -> usize {
+    let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
+    let terminal = || Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
+    said.or_else(terminal).unwrap_or(WIDTH)
 }

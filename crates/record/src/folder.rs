@@ -7,9 +7,9 @@ use experiment::Plan;
 use show::PICTURES;
 
 /// The record of an experiment.
-pub(crate) const RESULT_FILE: &str = "result.json";
+pub const RESULT_FILE: &str = "result.json";
 /// The page of an experiment.
-pub(crate) const REPORT_FILE: &str = "report.html";
+pub const REPORT_FILE: &str = "report.html";
 /// The samples of a curve.
 pub(crate) const CURVE_FILE: &str = "curve.csv";
 /// A deformation of helicoids.
@@ -29,12 +29,17 @@ pub(crate) const DEFORMATION_FILE: &str = "deformation.glb";
 /// # Ok::<(), experiment::Refusal>(())
 /// ```
 pub fn folder(plan: &Plan, out: &Path) -> PathBuf {
-    out.join(folder_name(&plan.stem))
+    folder_of(&plan.stem, out)
+}
+
+/// The folder below `out` of whatever has this name, as [`folder`] calls that of an experiment by its stem.
+pub fn folder_of(stem: &str, out: &Path) -> PathBuf {
+    out.join(folder_name(stem))
 }
 
 /// A name by which folders are compared: equal where a disk that does not tell capitals apart sees one folder.
-pub fn folder_key(plan: &Plan) -> String {
-    caseless(&folder_name(&plan.stem))
+pub fn folder_key(stem: &str) -> String {
+    caseless(&folder_name(stem))
 }
 
 /// The file of a method's surface; `name` is its name among [`file_names`](crate::file_name::file_names).

@@ -182,7 +182,10 @@ impl StoredResult {
 
 /// The bytes of a result in a folder of this program. What is no regular file there is none of ours: a pipe would keep its
 /// reader waiting.
-pub(crate) fn own_contents(path: &Path) -> Result<Vec<u8>, ReadError> {
+///
+/// # Errors
+/// [`ReadError`]: what the file system says, or that it is too large to be one.
+pub fn own_contents(path: &Path) -> Result<Vec<u8>, ReadError> {
     match regular(path) {
         Some(_) => contents(path),
         None => Err(io::Error::from(ErrorKind::NotFound).into()),

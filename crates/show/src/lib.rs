@@ -2,7 +2,7 @@
 //!
 //! [`table()`] prints the figures of [`Results`](plateau::Results). A [`Scene`] samples their surfaces once, in one frame and
 //! on one scale; [`pictures()`] draws it as SVG, [`page()`] as one HTML file that needs nothing but itself. [`basis_functions`] draws the functions
-//! of a basis, [`construction()`] how a helicoid's net is constructed.
+//! of a basis, [`construction()`] how a helicoid's net is constructed, [`multiples()`] a figure of many experiments, and [`study_page()`] is their page.
 //! [`Printable`] makes text from outside fit for a terminal.
 
 mod colour;
@@ -15,8 +15,9 @@ mod scene;
 mod table;
 
 pub use curvature_colours::by_mean_curvature;
-pub use page::{About, Comparison, Verdict, page};
-pub use picture::{PICTURES, Picture, basis_functions, construction, pictures};
+pub use number::Form;
+pub use page::{About, Comparison, Study, StudyRow, Verdict, page, study_page};
+pub use picture::{Multiples, PICTURES, Panel, Picture, basis_functions, construction, multiples, pictures};
 pub use printable::{Printable, stand_ins, width_of_names};
 pub use scene::Scene;
 pub use table::{Cells, Column, WIDTH, grid, table};

@@ -2,7 +2,7 @@
 
 /// How a number is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub enum Form {
     /// So many decimals, aligned in a column; with an exponent where they would show less than three digits, or more than
     /// nine before the point.
     Decimals(usize),
@@ -16,7 +16,8 @@ pub(crate) enum Form {
 
 impl Form {
     /// A finite number in this form.
-    pub(crate) fn of(self, x: f64) -> String {
+    #[must_use]
+    pub fn of(self, x: f64) -> String {
         match self {
             Self::Decimals(decimals) => {
                 let least = libm::exp10(3.0 - decimals as f64).min(1e-3);

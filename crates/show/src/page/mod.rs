@@ -1,18 +1,23 @@
 //! `report.html`: everything about an experiment on one page that needs nothing but itself, to look at and to send round.
 
+mod address;
 mod data;
 mod figures;
+mod study;
+mod style;
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use crate::picture::{Escaped, Picture};
 use crate::scene::Scene;
+use address::address;
 use plateau::Results;
+use style::STYLE;
 
 pub use figures::{Comparison, Verdict};
+pub use study::{Study, StudyRow, study_page};
 
-const STYLE: &str = include_str!("../../web/report.css");
 const VIEWER: &str = include_str!("../../web/viewer.js");
 
 /// Most bytes of the experiment file that are shown.
@@ -90,7 +95,7 @@ pub fn page(results: &Results, about: &About<'_>, scene: Option<&Scene<'_>>, pic
 fn downloads(files: &[String]) -> String {
     let mut html = String::from("<section><h2>Files</h2>\n<ul class=\"downloads\">\n");
     for file in files.iter().take(FILES) {
-        let (address, name) = (address(file), Escaped(file));
+        let (address, name) = (address(std::slice::from_ref(file)), Escaped(file));
         let _ = writeln!(html, "<li><a href=\"{address}\" download>{name}</a></li>");
     }
     html += "</ul>\n";
@@ -99,20 +104,6 @@ fn downloads(files: &[String]) -> String {
             writeln!(html, "<p class=\"faint\">{} more in the folder of this page.</p>", files.len() - FILES);
     }
     html + "<p class=\"faint\">They lie in the folder of this page; a copy of the page alone does not hold them.</p></section>\n"
-}
-
-/// The name of a file as a relative address: all but letters, digits and `-._` by their bytes.
-fn address(name: &str) -> String {
-    let mut address = String::from("./");
-    for byte in name.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' => address.push(char::from(byte)),
-            _ => {
-                let _ = write!(address, "%{byte:02X}");
-            }
-        }
-    }
-    address
 }
 
 fn section(heading: &str, content: &str) -> String {

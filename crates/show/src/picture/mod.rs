@@ -10,6 +10,7 @@ mod curvature;
 mod deformation;
 mod drawing;
 mod map;
+mod multiples;
 mod panels;
 mod svg;
 mod view;
@@ -17,6 +18,7 @@ mod view;
 pub use basis::basis_functions;
 pub use construction::construction;
 pub use drawing::{PICTURES, Picture};
+pub use multiples::{Multiples, Panel, multiples};
 pub(crate) use svg::Escaped;
 
 use crate::scene::Scene;

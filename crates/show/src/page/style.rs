@@ -1,0 +1,4 @@
+//! How pages look.
+
+/// The style sheet.
+pub(super) const STYLE: &str = include_str!("../../web/report.css");
