@@ -144,23 +144,30 @@ pub(crate) struct Density {
 }
 
 impl Density {
+    /// The value and the unit normal; none where x_u and x_v are parallel to within rounding, or one vanishes.
+    #[inline]
+    fn normal(x_u: Point, x_v: Point) -> Option<(f64, Point)> {
+        const PARALLEL: f64 = 16.0 * f64::EPSILON;
+        let cross = x_u.cross(x_v);
+        let square = cross.dot(cross);
+        let least = (PARALLEL * PARALLEL) * x_u.dot(x_u) * x_v.dot(x_v);
+        let is_regular = square > least && square.is_finite();
+        let value = square.sqrt();
+        is_regular.then(|| (value, cross * (1.0 / value)))
+    }
+
     /// The value and its derivatives by x_u and x_v; none where these are parallel to within rounding, or one vanishes.
     #[inline]
     pub(crate) fn slope(x_u: Point, x_v: Point) -> Option<(f64, Point, Point)> {
-        let cross = x_u.cross(x_v);
-        let value = cross.norm();
-        if value.is_nan() || value <= 16.0 * f64::EPSILON * x_u.norm() * x_v.norm() {
-            return None;
-        }
-        let normal = cross.unit()?;
+        let (value, normal) = Self::normal(x_u, x_v)?;
         Some((value, x_v.cross(normal), normal.cross(x_u)))
     }
 
     /// None where x_u and x_v are parallel to within rounding, or one of them vanishes.
     #[inline]
     pub(crate) fn new(x_u: Point, x_v: Point) -> Option<Self> {
-        let (value, by_u, by_v) = Self::slope(x_u, x_v)?;
-        let normal = x_u.cross(x_v).unit()?;
+        let (value, normal) = Self::normal(x_u, x_v)?;
+        let (by_u, by_v) = (x_v.cross(normal), normal.cross(x_u));
         // With n = x_u × x_v, N = n/|n| and dn = dx_u × x_v + x_u × dx_v:
         // d|n| = N · dn, d²|n| = (|dn|² − (N · dn)²)/|n| + 2 N · (dx_u × dx_v).
         let unit = [Point::new(1.0, 0.0, 0.0), Point::new(0.0, 1.0, 0.0), Point::new(0.0, 0.0, 1.0)];

@@ -64,7 +64,22 @@ pub trait Cell: Debug + Send + Sync {
     ///
     /// # Errors
     /// [`EnergyError::Singular`] where the tangents are parallel at a point of the rule.
-    fn hessian(&self, freedoms: &[Freedom], tangents: &[[Point; 2]]) -> Result<Matrix, EnergyError>;
+    fn hessian(&self, freedoms: &[Freedom], tangents: &[[Point; 2]]) -> Result<Matrix, EnergyError> {
+        let mut hessian = Matrix::zeros(0, 0);
+        self.hessian_into(freedoms, tangents, &mut hessian)?;
+        Ok(hessian)
+    }
+
+    /// [`Self::hessian`], written over `hessian`, whose memory serves again if it has the same size.
+    ///
+    /// # Errors
+    /// As [`Self::hessian`]; what `hessian` holds is then of no use.
+    fn hessian_into(
+        &self,
+        freedoms: &[Freedom],
+        tangents: &[[Point; 2]],
+        hessian: &mut Matrix,
+    ) -> Result<(), EnergyError>;
 
     /// The area of the surface with these tangents; its derivative is [`Self::area_gradient`]. Points where the tangents
     /// are parallel add nothing.

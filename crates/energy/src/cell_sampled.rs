@@ -7,7 +7,8 @@ use crate::EnergyError;
 use crate::area_hessian::Density;
 use crate::cell::{Cell, Freedom};
 use crate::cell_product::numbered;
-use crate::product::{add_product, add_upper_product, mirrored};
+use crate::panel::{Left, Right, add_panels};
+use crate::product::{add_upper_product, mirror, mirrored};
 
 /// A cell whose functions do not separate, with their values and derivatives at every point of its rule. O(q² N²) a Hessian
 /// of N nodes at q² points.
@@ -44,7 +45,17 @@ impl SampledCell {
                 return Err(EnergyError::Shape { what, expected, found });
             }
         }
-        Ok(Self { parameters, weights, values, u, v })
+        Ok(Self::of(parameters, weights, values, [u, v]))
+    }
+
+    /// The same, of sizes that agree.
+    pub(crate) fn of(
+        parameters: Vec<[f64; 2]>,
+        weights: Vec<f64>,
+        values: Matrix,
+        [u, v]: [Matrix; 2],
+    ) -> Self {
+        Self { parameters, weights, values, u, v }
     }
 }
 
@@ -109,61 +120,91 @@ impl Cell for SampledCell {
         mirrored(sum)
     }
 
-    fn hessian(&self, freedoms: &[Freedom], tangents: &[[Point; 2]]) -> Result<Matrix, EnergyError> {
-        let points = self.weights.len();
-        let unknowns: Vec<(usize, Point)> = freedoms
-            .iter()
-            .enumerate()
-            .flat_map(|(node, freedom)| freedom.directions().iter().map(move |&d| (node, d)))
-            .collect();
+    fn hessian_into(
+        &self,
+        freedoms: &[Freedom],
+        tangents: &[[Point; 2]],
+        hessian: &mut Matrix,
+    ) -> Result<(), EnergyError> {
+        let of_node = |(node, freedom): (usize, &Freedom)| {
+            freedom.directions().iter().map(move |&d| (node, d)).collect::<Vec<_>>()
+        };
+        let unknowns: Vec<(usize, Point)> = freedoms.iter().enumerate().flat_map(of_node).collect();
+        let moving = chosen(&freedoms.iter().map(|f| *f != Freedom::Fixed).collect::<Vec<_>>());
+        if (hessian.rows(), hessian.cols()) != (unknowns.len(), unknowns.len()) {
+            *hessian = Matrix::zeros(unknowns.len(), unknowns.len());
+        }
+        hessian.as_mut_slice().fill(0.0);
+        let mut skew = vec![0.0; AXES * moving.len() * moving.len()];
+        for first in (0..tangents.len()).step_by(BATCH) {
+            let batch = first..(first + BATCH).min(tangents.len());
+            self.add_batch(batch, tangents, &unknowns, &moving, [hessian.as_mut_slice(), &mut skew])?;
+        }
+        add_skew(hessian, &unknowns, freedoms, &skew);
+        mirror(hessian);
+        Ok(())
+    }
+}
+
+/// Points whose share of a Hessian is summed at once: their factors stay in near memory.
+const BATCH: usize = 128;
+
+/// Coordinates of a point.
+const AXES: usize = 3;
+
+impl SampledCell {
+    /// Adds what points give to a Hessian and to its skew part `S_kl = Σ_p N_p ∂uψ_k ∂vψ_l`, nodes × (coordinate, nodes).
+    fn add_batch(
+        &self,
+        batch: std::ops::Range<usize>,
+        tangents: &[[Point; 2]],
+        unknowns: &[(usize, Point)],
+        moving: &[usize],
+        [hessian, skew]: [&mut [f64]; 2],
+    ) -> Result<(), EnergyError> {
+        let count = batch.len();
         // a'' = G ᵀG + N · (φ_u × ψ_v + ψ_u × φ_v), G the two tangential components of δ(x_u × x_v) over √a.
-        let mut slopes = Matrix::zeros(2 * points, unknowns.len());
-        let mut normals = Vec::with_capacity(points);
-        for (p, (&[x_u, x_v], &w)) in tangents.iter().zip(&self.weights).enumerate() {
+        let (mut left, mut right) =
+            (Left::new(2 * count, unknowns.len()), Right::new(2 * count, unknowns.len()));
+        let (mut by_u, mut by_v) = (Left::new(count, moving.len()), Right::new(count, AXES * moving.len()));
+        for (at, p) in batch.enumerate() {
+            let ([x_u, x_v], w) = (tangents[p], self.weights[p]);
             let (density, _, _) = Density::slope(x_u, x_v).ok_or_else(|| self.singular(p))?;
             let frame = x_u.cross(x_v).unit().zip(x_u.unit());
             let Some((normal, first)) = frame else { return Err(self.singular(p)) };
             let root = (w / density).sqrt();
+            let (f_u, f_v) = (self.u.row(p), self.v.row(p));
             for (t, tangent) in [first, normal.cross(first)].into_iter().enumerate() {
                 // (d × x_v) · t = d · (x_v × t), (x_u × d) · t = d · (t × x_u).
-                let (by_u, by_v) = (x_v.cross(tangent) * root, tangent.cross(x_u) * root);
-                let row = slopes.row_mut(2 * p + t);
-                for (out, &(node, d)) in row.iter_mut().zip(&unknowns) {
-                    *out = by_u.dot(d) * self.u[(p, node)] + by_v.dot(d) * self.v[(p, node)];
-                }
+                let (of_u, of_v) = (x_v.cross(tangent) * root, tangent.cross(x_u) * root);
+                let slope = |&(node, d): &(usize, Point)| of_u.dot(d) * f_u[node] + of_v.dot(d) * f_v[node];
+                let slopes: Vec<f64> = unknowns.iter().map(slope).collect();
+                left.set_point(2 * at + t, &slopes);
+                right.set_point(2 * at + t, &slopes);
             }
-            normals.push(normal * w);
+            let of_u: Vec<f64> = moving.iter().map(|&node| f_u[node]).collect();
+            by_u.set_point(at, &of_u);
+            let weighted = <[f64; 3]>::from(normal * w);
+            let of_v: Vec<f64> =
+                weighted.iter().flat_map(|n| moving.iter().map(move |&node| n * f_v[node])).collect();
+            by_v.set_point(at, &of_v);
         }
-        let mut sum = Matrix::zeros(unknowns.len(), unknowns.len());
-        add_upper_product(&mut sum, &slopes, &slopes);
-        self.add_skew(&mut sum, &unknowns, freedoms, &normals);
-        Ok(mirrored(sum))
+        add_panels(&left, &right, hessian, true);
+        add_panels(&by_u, &by_v, skew, false);
+        Ok(())
     }
 }
 
-impl SampledCell {
-    /// Adds `(d × e) · S_kl`, `S_kl = Σ_p N_p (∂uψ_k ∂vψ_l − ∂vψ_k ∂uψ_l)`, above the diagonal.
-    fn add_skew(
-        &self,
-        sum: &mut Matrix,
-        unknowns: &[(usize, Point)],
-        freedoms: &[Freedom],
-        normals: &[Point],
-    ) {
-        let moving: Vec<usize> = (0..freedoms.len()).filter(|&k| freedoms[k] != Freedom::Fixed).collect();
-        let (place, _) = numbered(freedoms.iter().map(|f| usize::from(*f != Freedom::Fixed)));
-        let (u, v) = (select(&self.u, &moving), select(&self.v, &moving));
-        let skew = [0, 1, 2].map(|c| {
-            let mut sum = Matrix::zeros(moving.len(), moving.len());
-            add_product(&mut sum, &u, &weighted(&v, |p| <[f64; 3]>::from(normals[p])[c]));
-            sum
-        });
-        for (a, &(k, d)) in unknowns.iter().enumerate() {
-            for (b, &(l, e)) in unknowns.iter().enumerate().skip(a) {
-                let (k, l) = (place[k], place[l]);
-                let s = |c: usize| skew[c][(k, l)] - skew[c][(l, k)];
-                sum[(a, b)] += d.cross(e).dot(Point::new(s(0), s(1), s(2)));
-            }
+/// Adds `(d × e) · (S_kl − S_lk)` above the diagonal.
+fn add_skew(hessian: &mut Matrix, unknowns: &[(usize, Point)], freedoms: &[Freedom], skew: &[f64]) {
+    let (place, count) = numbered(freedoms.iter().map(|f| usize::from(*f != Freedom::Fixed)));
+    let at = |k: usize, l: usize, c: usize| skew[(k * AXES + c) * count + l];
+    for (a, &(k, d)) in unknowns.iter().enumerate() {
+        let row = &mut hessian.row_mut(a)[a..];
+        for (entry, &(l, e)) in row.iter_mut().zip(&unknowns[a..]) {
+            let (k, l) = (place[k], place[l]);
+            let s = |c: usize| at(k, l, c) - at(l, k, c);
+            *entry += d.cross(e).dot(Point::new(s(0), s(1), s(2)));
         }
     }
 }

@@ -7,6 +7,9 @@ use pulp::{Arch, WithSimd};
 const ROWS: usize = 4;
 const COLUMNS: usize = 8;
 
+/// Side of the squares in which a matrix is mirrored.
+const SQUARE: usize = 16;
+
 /// `sum += leftᵀ right`: rows of the factors are points of a rule, columns are functions.
 pub(crate) fn add_product(sum: &mut Matrix, left: &Matrix, right: &Matrix) {
     add_blocks(sum, left, right, false);
@@ -20,12 +23,24 @@ pub(crate) fn add_upper_product(sum: &mut Matrix, left: &Matrix, right: &Matrix)
 
 /// The symmetric matrix with the upper triangle of `upper`.
 pub(crate) fn mirrored(mut upper: Matrix) -> Matrix {
-    for i in 0..upper.rows() {
-        for j in 0..i {
-            upper[(i, j)] = upper[(j, i)];
+    mirror(&mut upper);
+    upper
+}
+
+/// [`mirrored`], in place.
+pub(crate) fn mirror(upper: &mut Matrix) {
+    let n = upper.rows();
+    let entries = upper.as_mut_slice();
+    // Square by square: what is read down a column is then still at hand for the next.
+    for first in (0..n).step_by(SQUARE) {
+        for start in (0..=first).step_by(SQUARE) {
+            for i in first..(first + SQUARE).min(n) {
+                for j in start..(start + SQUARE).min(i) {
+                    entries[i * n + j] = entries[j * n + i];
+                }
+            }
         }
     }
-    upper
 }
 
 fn add_blocks(sum: &mut Matrix, left: &Matrix, right: &Matrix, upper: bool) {

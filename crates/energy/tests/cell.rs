@@ -1,7 +1,9 @@
 //! Cells: derivatives of the area against differences, products against samples, forms against their sums.
 
+use std::sync::Arc;
+
 use bases::{Matrix, Nodal};
-use energy::{Cell, Freedom, ProductCell, SampledCell};
+use energy::{Cell, Freedom, PiecedCell, Pieces, ProductCell, SampledCell};
 use surfaces::Point;
 
 fn cell() -> (ProductCell, SampledCell) {
@@ -103,6 +105,59 @@ fn the_metric_form_of_a_surface_pulls_like_its_area() {
         let image = (0..20).fold(Point::ZERO, |sum, l| sum + x[l] * form[(k, l)]);
         assert!(image.distance(gradient) <= 1e-12);
     }
+}
+
+/// A cell of two quadrilaterals that fill the triangle (0, 0), (1, 0), (0, 1) but for a third, with the monomials u^i v^j, i + j ≤ 3, as
+/// its functions, and the same by samples.
+fn pieced() -> (PiecedCell, SampledCell) {
+    let monomials = [[0, 0], [0, 1], [0, 2], [0, 3], [1, 0], [1, 1], [1, 2], [2, 0], [2, 1], [3, 0]];
+    let power = |x: f64, k: i32| x.powi(k);
+    let slope = |x: f64, k: i32| if k == 0 { 0.0 } else { f64::from(k) * x.powi(k - 1) };
+    let table = |parameters: &[[f64; 2]], by: [fn(f64, i32) -> f64; 2]| {
+        let entry = |p: usize, k: usize| {
+            by[0](parameters[p][0], monomials[k][0]) * by[1](parameters[p][1], monomials[k][1])
+        };
+        Matrix::from_fn(parameters.len(), monomials.len(), entry)
+    };
+    let third = 1.0 / 3.0;
+    let corners = vec![
+        [[0.0, 0.0], [0.5, 0.0], [third, third], [0.0, 0.5]],
+        [[0.5, 0.0], [1.0, 0.0], [0.5, 0.5], [third, third]],
+    ];
+    let pieces = Pieces::new(3, corners, |parameters| table(parameters, [power, power])).unwrap();
+    let cell = PiecedCell::new(Arc::new(pieces), 6).unwrap();
+    let parameters = cell.parameters();
+    let values = table(&parameters, [power, power]);
+    let slopes = [table(&parameters, [slope, power]), table(&parameters, [power, slope])];
+    let sampled = SampledCell::new(parameters, cell.weights().to_vec(), values, slopes).unwrap();
+    (cell, sampled)
+}
+
+#[test]
+fn pieces_are_their_samples() {
+    let (pieced, sampled) = pieced();
+    let x: Vec<Point> = surface()[..10].to_vec();
+    let freedoms = &freedoms()[4..14];
+    let wanted: Vec<bool> = freedoms.iter().map(|f| *f != Freedom::Fixed).collect();
+    // The first four functions make a plane of full rank of what the others bend.
+    let x: Vec<Point> =
+        x.iter().enumerate().map(|(k, &p)| if k == 4 { p + Point::new(3.0, 0.0, 0.0) } else { p }).collect();
+    let tangents = sampled.tangents(&x);
+    assert!((pieced.weights().iter().sum::<f64>() - 1.0 / 3.0).abs() <= 1e-15);
+    for (a, b) in pieced.tangents(&x).iter().flatten().zip(tangents.iter().flatten()) {
+        assert!(a.distance(*b) <= 1e-12, "{a:?} {b:?}");
+    }
+    for (a, b) in pieced.adjoint(&tangents).iter().zip(sampled.adjoint(&tangents)) {
+        assert!(a.distance(b) <= 1e-10, "{a:?} {b:?}");
+    }
+    let factors: Vec<f64> = (0..72).map(|p| 1.0 + (p % 5) as f64).collect();
+    let both: [&dyn Cell; 2] = [&pieced, &sampled];
+    let [h, g] = both.map(|cell| cell.hessian(freedoms, &tangents).unwrap());
+    close(&h, &g, 1e-12);
+    let [h, g] = both.map(|cell| cell.metric(&wanted, &tangents).unwrap());
+    close(&h, &g, 1e-12);
+    let [h, g] = both.map(|cell| cell.mass(&wanted, &factors));
+    close(&h, &g, 1e-12);
 }
 
 #[test]

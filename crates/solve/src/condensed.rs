@@ -1,5 +1,7 @@
 //! Symmetric positive definite systems of cells that share unknowns on their rims.
 
+use std::sync::Mutex;
+
 use crate::dense::factor_plain;
 use crate::error::from_llt;
 use crate::memory::{filled, scratch, zeros};
@@ -22,6 +24,36 @@ pub struct Condensation {
     unknowns: usize,
     skeleton: usize,
     cells: Vec<CellUnknowns>,
+    spare: Spare,
+}
+
+/// Memory of factors that are gone, for those to come: a system is factored many times, and fresh memory costs more than to fill it.
+#[derive(Debug, Default)]
+struct Spare(Mutex<Vec<Vec<f64>>>);
+
+impl Clone for Spare {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Spare {
+    /// Room for `length` numbers, which are any.
+    fn take(&self, length: usize) -> Result<Vec<f64>, SolveError> {
+        let kept = self.0.lock().ok().and_then(|mut kept| {
+            let fitting = kept.iter().position(|array| array.len() == length)?;
+            Some(kept.swap_remove(fitting))
+        });
+        kept.map_or_else(|| zeros(length), Ok)
+    }
+
+    fn keep(&self, array: Vec<f64>) {
+        if let Ok(mut kept) = self.0.lock()
+            && !array.is_empty()
+        {
+            kept.push(array);
+        }
+    }
 }
 
 /// (Place in the matrix of the cell, unknown).
@@ -56,7 +88,7 @@ impl Condensation {
             let what = "cells of an unknown beyond the skeleton";
             return Err(SolveError::WrongShape { what, expected: 1, found: *owners });
         }
-        Ok(Self { unknowns, skeleton: skeleton.min(unknowns), cells: split })
+        Ok(Self { unknowns, skeleton: skeleton.min(unknowns), cells: split, spare: Spare::default() })
     }
 
     /// Number of unknowns.
@@ -79,7 +111,7 @@ impl Condensation {
         for (cell, matrix) in self.cells.iter().zip(matrices) {
             let matrix = matrix.as_ref();
             check::length("length of the matrix of a cell", cell.size * cell.size, matrix.len())?;
-            let factor = Interior::new(cell, matrix)?;
+            let factor = Interior::new(cell, matrix, &self.spare)?;
             let r = cell.rim.len();
             let mut rest = zeros(r * r)?;
             for (b, &(q, _)) in cell.rim.iter().enumerate() {
@@ -139,13 +171,17 @@ struct Interior {
 }
 
 impl Interior {
-    fn new(cell: &CellUnknowns, matrix: &[f64]) -> Result<Self, SolveError> {
+    fn new(cell: &CellUnknowns, matrix: &[f64], spare: &Spare) -> Result<Self, SolveError> {
         let (order, rim) = (cell.inner.len(), cell.rim.len());
         let gather = |columns: &[(usize, usize)]| -> Result<Vec<f64>, SolveError> {
-            let mut out = zeros(order * columns.len())?;
+            let mut out = spare.take(order * columns.len())?;
             for (column, &(q, _)) in out.chunks_exact_mut(order.max(1)).zip(columns) {
                 let row = &matrix[q * cell.size..(q + 1) * cell.size];
-                column.iter_mut().zip(&cell.inner).for_each(|(out, &(p, _))| *out = row[p]);
+                if order == cell.size {
+                    column.copy_from_slice(row);
+                } else {
+                    column.iter_mut().zip(&cell.inner).for_each(|(out, &(p, _))| *out = row[p]);
+                }
             }
             Ok(out)
         };
@@ -176,6 +212,15 @@ impl Interior {
     }
 }
 
+impl Drop for Condensed<'_> {
+    fn drop(&mut self) {
+        for Interior { factor, coupling, .. } in self.inner.drain(..) {
+            self.of.spare.keep(factor);
+            self.of.spare.keep(coupling);
+        }
+    }
+}
+
 impl Condensed<'_> {
     /// Solves for `columns` right-hand sides: `rhs` is unknowns × columns, row-major, and becomes the solution.
     ///
@@ -193,7 +238,7 @@ impl Condensed<'_> {
                 scratch.extend(cell.inner.iter().map(|&(_, k)| rhs[entry(k)]));
                 inner.apply(&mut scratch, false);
                 for (y, &(_, k)) in inner.coupling.chunks_exact(inner.order.max(1)).zip(&cell.rim) {
-                    skeleton[k] -= y.iter().zip(&scratch).map(|(y, z)| y * z).sum::<f64>();
+                    skeleton[k] -= dot(y, &scratch);
                 }
                 scratch.iter().zip(&cell.inner).for_each(|(z, &(_, k))| rhs[entry(k)] = *z);
             }
@@ -247,8 +292,7 @@ fn triangular(n: usize, factor: &[f64], x: &mut [f64], transposed: bool) {
     if transposed {
         for k in (0..n).rev() {
             let column = &factor[k * n..(k + 1) * n];
-            let sum: f64 = column[k + 1..].iter().zip(&x[k + 1..]).map(|(l, x)| l * x).sum();
-            x[k] = (x[k] - sum) / column[k];
+            x[k] = (x[k] - dot(&column[k + 1..], &x[k + 1..])) / column[k];
         }
     } else {
         for k in 0..n {
@@ -258,4 +302,17 @@ fn triangular(n: usize, factor: &[f64], x: &mut [f64], transposed: bool) {
             x[k + 1..].iter_mut().zip(&column[k + 1..]).for_each(|(x, l)| *x -= l * value);
         }
     }
+}
+
+/// `Σ a b` in eight sums side by side, as vectors of the processor add.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let ((a, rest_a), (b, rest_b)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
+    let mut sums = [0.0; 8];
+    for (a, b) in a.iter().zip(b) {
+        for k in 0..8 {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    let rest: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
+    sums.iter().sum::<f64>() + rest
 }

@@ -1,5 +1,6 @@
 //! The area of a surface of cells and its derivatives by a rule, and the systems of its Newton steps.
 
+use bases::Matrix;
 use energy::{Cell, EnergyError, Freedom};
 use solve::{Condensation, SolveError};
 use surfaces::Point;
@@ -9,6 +10,9 @@ use crate::MethodError;
 
 /// The tangents (x_u, x_v) of every cell at the points of a rule.
 pub(super) type Tangents = Vec<Vec<[Point; 2]>>;
+
+/// Points summed before their sum is added to that of others.
+const LINE: usize = 32;
 
 /// The cells of a surface at one rule.
 #[derive(Clone, Copy)]
@@ -49,18 +53,27 @@ impl Assembly<'_> {
         sums
     }
 
-    /// The least over the mean of the area densities.
-    pub(super) fn jacobian_ratio(&self, tangents: &Tangents) -> f64 {
-        let (mut least, mut sum, mut weight) = (f64::INFINITY, 0.0, 0.0);
+    /// The area, and the least over the mean of its densities.
+    pub(super) fn measure(&self, tangents: &Tangents) -> (f64, f64) {
+        let (mut least, mut area, mut weight) = (f64::INFINITY, 0.0, 0.0);
+        let weights = self.cell.weights();
+        let of_cell: f64 = weights.iter().sum();
         for tangents in tangents {
-            for ([x_u, x_v], w) in tangents.iter().zip(self.cell.weights()) {
-                let density = x_u.cross(*x_v).norm();
-                least = least.min(density);
-                sum += w * density;
-                weight += w;
+            let mut of_lines = 0.0;
+            // By lines of a few points, so that rounding grows like the root of their number at most.
+            for (line, weights) in tangents.chunks(LINE).zip(weights.chunks(LINE)) {
+                let mut sum = 0.0;
+                for ([x_u, x_v], w) in line.iter().zip(weights) {
+                    let density = x_u.cross(*x_v).norm();
+                    least = least.min(density);
+                    sum += w * density;
+                }
+                of_lines += sum;
             }
+            area += of_lines;
+            weight += of_cell;
         }
-        if sum > 0.0 { least * weight / sum } else { 0.0 }
+        (area, if area > 0.0 { least * weight / area } else { 0.0 })
     }
 
     /// `dᵀ K d` in the metric of the surface with these tangents.
@@ -161,33 +174,58 @@ impl Unknowns {
         self.freedoms.iter().zip(&self.first).map(of).collect()
     }
 
-    /// The Hessian of every cell in these unknowns.
+    /// The Hessian of every cell in these unknowns, written over those of other surfaces.
     pub(super) fn hessians(
         &self,
         assembly: &Assembly<'_>,
         tangents: &Tangents,
-    ) -> Result<Vec<Vec<f64>>, EnergyError> {
-        let of = |(k, tangents): (usize, &Vec<[Point; 2]>)| {
-            let freedoms = self.of_cell(assembly.topology, k);
-            Ok(assembly.cell.hessian(&freedoms, tangents)?.as_slice().to_vec())
-        };
-        tangents.iter().enumerate().map(of).collect()
+        hessians: &mut Vec<Matrix>,
+    ) -> Result<(), EnergyError> {
+        hessians.resize(tangents.len(), Matrix::zeros(0, 0));
+        for (k, (tangents, hessian)) in tangents.iter().zip(hessians).enumerate() {
+            assembly.cell.hessian_into(&self.of_cell(assembly.topology, k), tangents, hessian)?;
+        }
+        Ok(())
+    }
+
+    /// `H + λK` of every cell, given the Hessians and λ with the metrics over the free nodes, written over other matrices.
+    pub(super) fn shifted(
+        &self,
+        topology: &Topology,
+        hessians: &[Matrix],
+        (factor, metrics): (f64, &[Vec<f64>]),
+        shifted: &mut Vec<Vec<f64>>,
+    ) {
+        shifted.resize(hessians.len(), Vec::new());
+        for (shifted, hessian) in shifted.iter_mut().zip(hessians) {
+            shifted.clear();
+            shifted.extend_from_slice(hessian.as_slice());
+        }
+        if factor > 0.0 {
+            self.add_metrics(topology, factor, metrics, shifted);
+        }
     }
 
     /// Adds `factor` times the Dirichlet product of displacements, the metrics over the free nodes of each cell, to matrices
     /// in these unknowns.
-    pub(super) fn add_metrics(
-        &self,
-        topology: &Topology,
-        factor: f64,
-        metrics: &[Vec<f64>],
-        matrices: &mut [Vec<f64>],
-    ) {
+    fn add_metrics(&self, topology: &Topology, factor: f64, metrics: &[Vec<f64>], matrices: &mut [Vec<f64>]) {
         for (cell, (metric, matrix)) in metrics.iter().zip(matrices).enumerate() {
             let moving: Vec<Freedom> =
                 self.of_cell(topology, cell).into_iter().filter(|f| *f != Freedom::Fixed).collect();
             let nodes = moving.len();
             let size: usize = moving.iter().map(|freedom| freedom.directions().len()).sum();
+            if moving.iter().all(|freedom| *freedom == Freedom::Free) {
+                // The same entry for each coordinate.
+                for (row, line) in matrix.chunks_exact_mut(size.max(1)).enumerate() {
+                    let entries = metric[row / 3 * nodes..][..nodes].iter();
+                    line[row % 3..]
+                        .iter_mut()
+                        .step_by(3)
+                        .zip(entries)
+                        .for_each(|(out, k)| *out += factor * k);
+                }
+                continue;
+            }
             let mut row = 0;
             for (k, first) in moving.iter().enumerate() {
                 for d in first.directions() {

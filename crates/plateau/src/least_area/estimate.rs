@@ -1,5 +1,6 @@
 //! How far a surface of least area lies above the least area of its border: from those of the next degrees.
 
+use bases::Matrix;
 use energy::EnergyError;
 use solve::SolveError;
 use surfaces::{Complex, Net, TensorPatch, TriangleNet, TrianglePatch};
@@ -194,9 +195,10 @@ fn excess<S: Space>(space: &S, surface: &S::Surface) -> Result<Option<f64>, Meth
     if unknowns.count() == 0 {
         return Ok(None);
     }
-    let (gradient, hessians) = (unknowns.gather(&slopes), unknowns.hessians(&assembly, &here.tangents)?);
+    let (gradient, mut hessians) = (unknowns.gather(&slopes), Vec::new());
+    unknowns.hessians(&assembly, &here.tangents, &mut hessians)?;
     let mut step = gradient.clone();
-    match unknowns.condensation().factor(&hessians) {
+    match unknowns.condensation().factor(&hessians.iter().map(Matrix::as_slice).collect::<Vec<_>>()) {
         Ok(factor) => factor.solve(1, &mut step)?,
         Err(SolveError::NotPositiveDefinite { .. }) => return Ok(None),
         Err(error) => return Err(error.into()),

@@ -84,6 +84,11 @@ impl<'a, S: Space> Rules<'a, S> {
         Ok(cell)
     }
 
+    /// The rule tried after one that is not fine enough.
+    pub(super) fn next(points: usize) -> usize {
+        points + (points / 4).max(2)
+    }
+
     pub(super) fn finer(points: usize) -> usize {
         points + (points / 2).max(4)
     }
@@ -92,15 +97,20 @@ impl<'a, S: Space> Rules<'a, S> {
     pub(super) fn fine(&mut self, points: usize, x: &[Point]) -> Result<Fine, MethodError> {
         let cell = self.cell(Self::finer(points))?;
         let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
-        let tangents = assembly.tangents(x);
-        Ok(Fine { area: assembly.area_of(&tangents), evenness: assembly.jacobian_ratio(&tangents) })
+        let (area, evenness) = assembly.measure(&assembly.tangents(x));
+        Ok(Fine { area, evenness })
     }
 
-    /// A surface of which the finer rule has said this.
-    pub(super) fn known(&mut self, points: usize, x: Vec<Point>, fine: Fine) -> Result<Known, MethodError> {
+    /// A surface with these tangents by a rule, of which the finer rule has said this.
+    pub(super) fn known(
+        &mut self,
+        points: usize,
+        x: Vec<Point>,
+        tangents: Tangents,
+        fine: Fine,
+    ) -> Result<Known, MethodError> {
         let cell = self.cell(points)?;
         let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
-        let tangents = assembly.tangents(&x);
         let error = (assembly.area_of(&tangents) - fine.area).abs();
         let settled = error <= self.settled * fine.area;
         Ok(Known { x, points, tangents, fine, error, settled })
@@ -109,13 +119,15 @@ impl<'a, S: Space> Rules<'a, S> {
     /// A surface at a rule.
     pub(super) fn at(&mut self, points: usize, x: Vec<Point>) -> Result<Known, MethodError> {
         let fine = self.fine(points, &x)?;
-        self.known(points, x, fine)
+        let cell = self.cell(points)?;
+        let tangents = Assembly { topology: self.space.topology(), cell: cell.as_ref() }.tangents(&x);
+        self.known(points, x, tangents, fine)
     }
 
     /// The surface at the smallest rule from its own on by which its area has settled; at the largest if there is none.
     pub(super) fn settle(&mut self, mut known: Known) -> Result<Known, MethodError> {
         while !known.settled && known.points < self.largest() {
-            let points = (known.points + (known.points / 4).max(2)).min(self.largest());
+            let points = Self::next(known.points).min(self.largest());
             known = self.at(points, known.x)?;
         }
         Ok(known)

@@ -1,9 +1,10 @@
 //! The second variation of the area under normal displacements.
 
-use surfaces::{Jet, Patch, Point};
+use surfaces::{Jet, Patch};
 
 use super::assembly::Assembly;
 use super::descent::Descent;
+use super::rules::Known;
 use super::space::Space;
 use crate::MethodError;
 use solve::{SolveError, smallest_eigenpair};
@@ -27,22 +28,21 @@ pub(super) struct Variation {
 impl<S: Space> Descent<'_, '_, S> {
     /// The smallest value of `∫ (|∇f|² + 2 K f²) dA / ∫ |∇f|² dA`; none if no node is free, or where the surface is singular
     /// or nearly, so that its curvature is rounding.
-    pub(super) fn variation(&mut self, x: &[Point], points: usize) -> Result<Option<Variation>, MethodError> {
-        if self.scalar().count() == 0 {
+    pub(super) fn variation(&mut self, here: &Known) -> Result<Option<Variation>, MethodError> {
+        if self.scalar.count() == 0 {
             return Ok(None);
         }
         let space = self.rules.space;
-        let cell = self.rules.cell(points)?;
+        let (cell, tangents) = self.rough(here)?;
         let topology = space.topology();
         let assembly = Assembly { topology, cell: cell.as_ref() };
-        let tangents = assembly.tangents(x);
-        let ratio = assembly.jacobian_ratio(&tangents);
+        let (_, ratio) = assembly.measure(&tangents);
         if ratio.is_nan() || ratio <= EVEN {
             return Ok(None);
         }
         let parameters = cell.parameters();
         let mut curvatures = Vec::with_capacity(topology.cells.len());
-        for (k, patch) in space.patches(x)?.iter().enumerate() {
+        for (k, patch) in space.patches(&here.x)?.iter().enumerate() {
             let mut factors = Vec::with_capacity(parameters.len());
             for (jet, w) in jets(patch.as_ref(), &parameters).iter().zip(cell.weights()) {
                 let Some(curvature) = curvature(jet) else { return Ok(None) };
@@ -51,7 +51,7 @@ impl<S: Space> Descent<'_, '_, S> {
             curvatures.push(cell.mass(&topology.free(k), &factors));
         }
         let metrics = assembly.metrics(&tangents)?;
-        let scalar = self.scalar();
+        let scalar = &self.scalar;
         let factor = match scalar.condensation().factor(&metrics) {
             Ok(factor) => factor,
             Err(SolveError::NotPositiveDefinite { .. }) => return Ok(None),

@@ -1,7 +1,9 @@
 //! Triangular patches.
 
-use bases::{GaussLegendre, Matrix, Nodal};
-use energy::{Cell, SampledCell};
+use std::sync::Arc;
+
+use bases::{Matrix, Nodal};
+use energy::{Cell, PiecedCell, Pieces, Quadrilateral, SampledCell};
 use surfaces::{Patch, Point, SurfaceError, TriangleBasis, TriangleNet, TrianglePatch};
 
 use super::family::inverse;
@@ -19,6 +21,7 @@ pub(super) struct Triangular {
     /// Values at the nodes from the net, and back: (nodes)².
     values: Matrix,
     back: Matrix,
+    pieces: Arc<Pieces>,
     start: Vec<Point>,
     topology: Topology,
 }
@@ -40,6 +43,10 @@ impl Triangular {
         let parameters: Vec<[f64; 2]> = net.indices().map(|[i, j, k]| [at(i, j, k), at(j, i, k)]).collect();
         let [values, _, _] = tables(&basis, &parameters);
         let back = inverse(&values)?;
+        let pieces = Pieces::new(degree, three_quadrilaterals(), |parameters| {
+            let [values, _, _] = tables(&basis, parameters);
+            values.times(&back)
+        })?;
         let fixed = net.indices().map(|index| index.contains(&0)).collect();
         Ok(Self {
             start: times(&values, &start),
@@ -49,15 +56,9 @@ impl Triangular {
             parameters,
             values,
             back,
+            pieces: Arc::new(pieces),
             topology: Topology::single(fixed),
         })
-    }
-
-    fn sampled(&self, parameters: Vec<[f64; 2]>, weights: Vec<f64>) -> Result<Box<dyn Cell>, MethodError> {
-        // Three tables of points × nodes, once in the basis and once at the nodes.
-        memory::holds(6 * size_of::<f64>() * parameters.len() * self.parameters.len())?;
-        let [values, by_u, by_v] = tables(&self.basis, &parameters).map(|table| table.times(&self.back));
-        Ok(Box::new(SampledCell::new(parameters, weights, values, [by_u, by_v])?))
     }
 }
 
@@ -75,29 +76,15 @@ fn tables(basis: &TriangleBasis, parameters: &[[f64; 2]]) -> [Matrix; 3] {
     tables
 }
 
-/// The product rule of `points`² points on each of the three quadrilaterals between a corner, the middles of its sides and
-/// the centre: the same however the corners are named.
-fn three_quadrilaterals(points: usize) -> Result<(Vec<[f64; 2]>, Vec<f64>), MethodError> {
-    let rule = GaussLegendre::new(points)?;
+/// The quadrilaterals between a corner, the middles of its sides and the centre: the same however the corners are named.
+fn three_quadrilaterals() -> Vec<Quadrilateral> {
     let corners = [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
     let mean = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
-    let centre = [1.0 / 3.0; 2];
-    let (mut parameters, mut weights) = (Vec::new(), Vec::new());
-    for k in 0..3 {
-        let (a, c) = (corners[k], centre);
-        let (b, d) = (mean(a, corners[(k + 1) % 3]), mean(a, corners[(k + 2) % 3]));
-        for (s, ws) in rule.iter() {
-            for (t, wt) in rule.iter() {
-                let blend =
-                    |q: usize| (1.0 - t) * ((1.0 - s) * a[q] + s * b[q]) + t * ((1.0 - s) * d[q] + s * c[q]);
-                let by_s = |q: usize| (1.0 - t) * (b[q] - a[q]) + t * (c[q] - d[q]);
-                let by_t = |q: usize| (1.0 - s) * (d[q] - a[q]) + s * (c[q] - b[q]);
-                parameters.push([blend(0), blend(1)]);
-                weights.push(ws * wt * (by_s(0) * by_t(1) - by_s(1) * by_t(0)).abs());
-            }
-        }
-    }
-    Ok((parameters, weights))
+    let at = |k: usize| {
+        let corner = corners[k];
+        [corner, mean(corner, corners[(k + 1) % 3]), [1.0 / 3.0; 2], mean(corner, corners[(k + 2) % 3])]
+    };
+    (0..3).map(at).collect()
 }
 
 impl Space for Triangular {
@@ -117,12 +104,15 @@ impl Space for Triangular {
     }
 
     fn cell(&self, points: usize) -> Result<Box<dyn Cell>, MethodError> {
-        let (parameters, weights) = three_quadrilaterals(points)?;
-        self.sampled(parameters, weights)
+        // What Hessians ask for: three tables of points × nodes.
+        memory::holds(3 * size_of::<f64>() * 3 * points * points * self.parameters.len())?;
+        Ok(Box::new(PiecedCell::new(self.pieces.clone(), points)?))
     }
 
     fn at_nodes(&self) -> Result<Box<dyn Cell>, MethodError> {
-        self.sampled(self.parameters.clone(), vec![1.0; self.parameters.len()])
+        let [values, by_u, by_v] = tables(&self.basis, &self.parameters).map(|table| table.times(&self.back));
+        let weights = vec![1.0; self.parameters.len()];
+        Ok(Box::new(SampledCell::new(self.parameters.clone(), weights, values, [by_u, by_v])?))
     }
 
     fn nodes(&self, surface: &TrianglePatch) -> Result<Vec<Point>, MethodError> {
@@ -158,14 +148,15 @@ mod tests {
 
     #[test]
     fn the_rule_and_the_nodes_reproduce_a_plane() {
-        let (parameters, weights) = three_quadrilaterals(4).unwrap();
-        assert!((weights.iter().sum::<f64>() - 0.5).abs() <= 1e-15);
-        let moment: f64 = parameters.iter().zip(&weights).map(|([u, v], w)| w * u * u * v).sum();
-        assert!((moment - 2.0 / 120.0).abs() <= 1e-15, "{moment}");
         let point = |i: usize, j: usize| Point::new(i as f64, 2.0 * j as f64, 0.0);
         let net = TriangleNet::new(4, (0..=4).flat_map(|i| (0..=4 - i).map(move |j| point(i, j))).collect())
             .unwrap();
         let space = Triangular::new(&net).unwrap();
+        let cell = space.cell(4).unwrap();
+        let (parameters, weights) = (cell.parameters(), cell.weights());
+        assert!((weights.iter().sum::<f64>() - 0.5).abs() <= 1e-15);
+        let moment: f64 = parameters.iter().zip(weights).map(|([u, v], w)| w * u * u * v).sum();
+        assert!((moment - 2.0 / 120.0).abs() <= 1e-15, "{moment}");
         let x = space.nodes(&TrianglePatch::new(net.clone()).unwrap()).unwrap();
         let cell = space.cell(6).unwrap();
         let unit = space.frame().unit();

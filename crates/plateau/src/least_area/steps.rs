@@ -1,0 +1,262 @@
+//! Newton steps in all coordinates, bounded: the way along the valley of surfaces that differ by their parametrisation.
+
+use std::rc::Rc;
+
+use energy::Cell;
+use solve::{Condensed, SolveError};
+use surfaces::Point;
+
+use super::assembly::{Assembly, Tangents, Unknowns};
+use super::descent::{
+    Descent, LEAST_SHIFT, LOOSE, ROUNDING, Reached, Step, TRIES, TRUSTED_SHIFT, defined, less,
+};
+use super::outcome::ValleyEnd;
+use super::rules::Known;
+use super::space::Space;
+use crate::MethodError;
+
+/// Steps running that gain less than the tolerance after which it is reached; one more for every digit below 1e-9.
+const IDLE: usize = 2;
+
+/// Steps with one factorisation at most, beyond the first.
+const CORRECTED: usize = 10;
+
+/// Share of what a step has gained so far that another with its factorisation must gain for one more to follow.
+const CORRECTED_GAIN: f64 = 0.1;
+
+/// Steps taken once nothing beyond rounding is to be gained: what has a curvature is then exact to rounding; and the share of
+/// the Dirichlet product in them, which leaves what has none where it is.
+const LAST_STEPS: usize = 2;
+const LAST_SHIFT: f64 = 1e-7;
+
+/// Share of the start's evenness (least over mean of the area densities) below which steps do not lead, from a tolerance of
+/// [`LOOSE`] on; four digits less for every digit below it, where the area counts for more than the parametrisation.
+const EVENNESS: f64 = 0.1;
+const LESS_EVEN: f64 = 4.0;
+
+/// What a step is made of beside the gradient: the metric of the surface by a rule, with the Hessians that the descent keeps.
+struct Model {
+    cell: Rc<dyn Cell>,
+    tangents: Tangents,
+    metrics: Vec<Vec<f64>>,
+}
+
+/// Where a step may lead, by the rule of the steps.
+struct Trial {
+    x: Vec<Point>,
+    tangents: Tangents,
+    area: f64,
+    evenness: f64,
+}
+
+/// The floor of evenness, and how far the steps have come.
+struct Bounds<'x> {
+    /// The surfaces from whose evenness it counts.
+    from: [&'x [Point]; 2],
+    floor: f64,
+    idle: usize,
+    last: usize,
+}
+
+impl<S: Space> Descent<'_, '_, S> {
+    /// The least evenness of steps from the lesser of two surfaces.
+    fn floor(&mut self, points: usize, [first, second]: [&[Point]; 2]) -> Result<f64, MethodError> {
+        let digits = (LOOSE / self.tolerance).log10().max(0.0);
+        let share = EVENNESS * 10f64.powf(-LESS_EVEN * digits);
+        let [first, second] = [self.rules.fine(points, first)?, self.rules.fine(points, second)?];
+        Ok(share * first.evenness.min(second.evenness))
+    }
+
+    /// Levenberg–Marquardt steps `(H + λK) d = −∇A` in all coordinates, K the Dirichlet product over the surface, until two
+    /// running gain less than the tolerance. A step is judged by the finer rule, so that none exploits what the rule misses.
+    pub(super) fn steps(
+        &mut self,
+        reached: &mut Reached,
+        reference: &[Point],
+        mut shift: f64,
+        most: usize,
+    ) -> Result<(), MethodError> {
+        let first = reached.surface.x.clone();
+        let from = [reference, first.as_slice()];
+        let floor = self.floor(reached.surface.points, from)?;
+        let mut bounds = Bounds { from, floor, idle: 0, last: 0 };
+        reached.valley = ValleyEnd::Budget;
+        self.least_shift = LEAST_SHIFT;
+        for _ in 0..most {
+            self.watch(reached)?;
+            let end = match self.step(&reached.surface, &mut shift, bounds.floor)? {
+                Ok(step) => self.take(reached, step, &mut shift, &mut bounds)?,
+                Err(end) => Some(end),
+            };
+            if let Some(end) = end {
+                reached.valley = end;
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Goes a step, and learns from it how long the next may be; why none is to follow.
+    fn take(
+        &mut self,
+        reached: &mut Reached,
+        step: Step,
+        shift: &mut f64,
+        bounds: &mut Bounds<'_>,
+    ) -> Result<Option<ValleyEnd>, MethodError> {
+        let Step { x, tangents, fine, predicted, quality } = step;
+        let (points, before, used) = (reached.surface.points, reached.surface.area(), *shift);
+        let rounding = predicted <= ROUNDING * before;
+        let next = self.rules.known(points, x, tangents, fine)?;
+        let next = if rounding { next } else { self.rules.settle(next)? };
+        if next.points != points {
+            bounds.floor = self.floor(next.points, bounds.from)?;
+            // What the coarser rules promised is no gain if the finer ones do not see it.
+            self.move_rule(reached, next.points)?;
+            if reached.surface.area() <= next.area() {
+                *shift *= 4.0;
+                return Ok(None);
+            }
+        }
+        let gained = reached.surface.area() - next.area();
+        reached.steps.steps += 1;
+        reached.steps.gained += gained;
+        reached.surface = next;
+        if rounding {
+            bounds.last += 1;
+            return Ok((bounds.last == LAST_STEPS).then_some(ValleyEnd::Rounding));
+        }
+        if quality > 0.75 {
+            *shift = (0.3 * *shift).max(self.least_shift);
+        } else if quality < 0.25 {
+            *shift *= 4.0;
+        }
+        bounds.idle = match gained > self.tolerance * before {
+            true => 0,
+            // A step that was held back by the shift says nothing of what is left.
+            false => bounds.idle + usize::from(used <= TRUSTED_SHIFT),
+        };
+        let patience = IDLE + (1e-9 / self.tolerance).log10().max(0.0).round() as usize;
+        Ok((bounds.idle >= patience).then_some(ValleyEnd::Tolerance))
+    }
+
+    /// One step that lowers the area and leaves the surface no less even than `floor`, or promises no more than rounding; why
+    /// there is none.
+    fn step(
+        &mut self,
+        here: &Known,
+        shift: &mut f64,
+        floor: f64,
+    ) -> Result<Result<Step, ValleyEnd>, MethodError> {
+        let (topology, all) = (self.rules.space.topology(), self.all.clone());
+        let cell = self.rules.cell(here.points)?;
+        let assembly = Assembly { topology, cell: cell.as_ref() };
+        let mut end = ValleyEnd::Rounding;
+        let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { return Ok(Err(end)) };
+        let Some(model) = self.model(here)? else { return Ok(Err(end)) };
+        let of_model = Assembly { topology, cell: model.cell.as_ref() };
+        let gradient = all.gather(&slopes);
+        self.iterations += 1;
+        for _ in 0..TRIES {
+            let Some(factor) = self.factored(&all, &model, shift)? else { continue };
+            let mut d = gradient.clone();
+            factor.solve(1, &mut d)?;
+            let slope: f64 = d.iter().zip(&gradient).map(|(d, g)| d * g).sum();
+            let change = all.scatter(&d);
+            let square = of_model.metric_square(&model.tangents, &change)?;
+            // −gᵀd − ½ dᵀHd with Hd = −g − λKd.
+            let predicted = 0.5 * (slope + *shift * square);
+            let small = predicted <= ROUNDING * here.area();
+            if small && *shift != LAST_SHIFT {
+                *shift = LAST_SHIFT;
+                continue;
+            }
+            let mut trial = self.trial(&assembly, less(&here.x, &change));
+            if !small {
+                trial = self.corrected(&assembly, &factor, here, trial, floor)?;
+            }
+            let Trial { x, tangents, .. } = trial;
+            let fine = self.rules.fine(here.points, &x)?;
+            let quality = (here.area() - fine.area) / predicted;
+            let lower = quality > 1e-4 || small && fine.area <= here.area() * (1.0 + ROUNDING);
+            if lower && (small || fine.evenness >= floor) {
+                return Ok(Ok(Step { x, tangents, fine, predicted, quality }));
+            }
+            if lower {
+                end = ValleyEnd::Ratio;
+            }
+            *shift = shift.max(1e-8) * 5.0;
+        }
+        Ok(Err(end))
+    }
+
+    /// The Hessians and the metric of a surface; none where it is singular.
+    fn model(&mut self, here: &Known) -> Result<Option<Model>, MethodError> {
+        let (cell, tangents) = self.rough(here)?;
+        let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
+        let all = self.all.clone();
+        if defined(all.hessians(&assembly, &tangents, &mut self.hessians))?.is_none() {
+            return Ok(None);
+        }
+        let Some(metrics) = defined(assembly.metrics(&tangents))? else { return Ok(None) };
+        Ok(Some(Model { cell, tangents, metrics }))
+    }
+
+    /// `H + λK`, factored; none if it is not positive definite: then the share λ is larger for the next try.
+    fn factored<'u>(
+        &mut self,
+        all: &'u Unknowns,
+        model: &Model,
+        shift: &mut f64,
+    ) -> Result<Option<Condensed<'u>>, MethodError> {
+        all.shifted(self.rules.space.topology(), &self.hessians, (*shift, &model.metrics), &mut self.shifted);
+        match all.condensation().factor(&self.shifted) {
+            Ok(factor) => Ok(Some(factor)),
+            Err(SolveError::NotPositiveDefinite { .. }) => {
+                *shift = shift.max(1e-8) * 6.0;
+                if self.tolerance >= LOOSE {
+                    self.least_shift = self.least_shift.max(*shift);
+                }
+                Ok(None)
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// A surface by the rule of the steps.
+    fn trial(&mut self, assembly: &Assembly<'_>, x: Vec<Point>) -> Trial {
+        self.evaluations += 1;
+        let tangents = assembly.tangents(&x);
+        let (area, evenness) = assembly.measure(&tangents);
+        Trial { x, tangents, area, evenness }
+    }
+
+    /// A step along the curved valley leaves its floor; the same system leads back, and on, as long as the surface stays as
+    /// even as `floor`.
+    fn corrected(
+        &mut self,
+        assembly: &Assembly<'_>,
+        factor: &Condensed<'_>,
+        here: &Known,
+        mut trial: Trial,
+        floor: f64,
+    ) -> Result<Trial, MethodError> {
+        let before = assembly.area_of(&here.tangents);
+        for _ in 0..CORRECTED {
+            let Some(slopes) = defined(assembly.gradient(&trial.tangents))? else { break };
+            let mut d = self.all.gather(&slopes);
+            factor.solve(1, &mut d)?;
+            let next = self.trial(assembly, less(&trial.x, &self.all.scatter(&d)));
+            let gained = trial.area - next.area;
+            if gained.is_nan() || gained <= ROUNDING * trial.area || next.evenness < floor {
+                break;
+            }
+            let so_far = before - trial.area;
+            trial = next;
+            if gained < CORRECTED_GAIN * so_far {
+                break;
+            }
+        }
+        Ok(trial)
+    }
+}
