@@ -134,8 +134,8 @@ pub enum Warning {
     },
     /// The search for the least area ended on a rule that does not integrate it.
     #[error(
-        "the search for the least area ended on a rule of {points}² points that does not integrate it (± {error:.1e}): the net \
-         nearly folds, and its gradient is {gradient:.1e} of the root of the area"
+        "the least area was not reached: the search for it ended on a rule of {points}² points that does not integrate it (± {error:.1e}); \
+         the net nearly folds, and its gradient is {gradient:.1e} of the root of the area"
     )]
     AreaRule {
         /// Points of the rule in each direction.

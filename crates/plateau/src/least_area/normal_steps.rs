@@ -143,12 +143,12 @@ impl<S: Space> Descent<'_, '_, S> {
         }
         let cell = self.rules.cell(here.points)?;
         let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
-        let Some(gradient) = defined(assembly.gradient(&here.tangents))? else { return Ok([f64::NAN; 2]) };
+        let gradient = assembly.gradient(&here.tangents)?;
         let normal = Unknowns::new(assembly.topology, self.normals(&here.x)?)?;
         let along = normal.scatter(&normal.gather(&gradient));
         let (rough, tangents) = self.rough(here)?;
         let rough = Assembly { topology: assembly.topology, cell: rough.as_ref() };
-        let Some(metrics) = defined(rough.metrics(&tangents))? else { return Ok([f64::NAN; 2]) };
+        let metrics = rough.metrics(&tangents)?;
         let area = here.area();
         let mut norms = [0.0; 2];
         for (norm, part) in norms.iter_mut().zip([&along, &gradient]) {

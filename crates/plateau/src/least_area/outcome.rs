@@ -20,8 +20,8 @@ pub struct AreaExtremal {
     /// Newton steps along the normals.
     pub normal_steps: Stage,
     /// The norm of the gradient of the area over √area, in displacements along the normals at the nodes whose Dirichlet norm
-    /// over the surface is 1; dimensionless. Rounding is of the order of 1e-14. Not a number where the surface is singular at a
-    /// point of the rule.
+    /// over the surface is 1; dimensionless. Rounding is of the order of 1e-14. Not a number where the metric of the surface is
+    /// singular to working precision.
     pub gradient: f64,
     /// The same over all displacements. What it has more belongs to the parametrisation: moving points along the surface
     /// hardly changes the area.

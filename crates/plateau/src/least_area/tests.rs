@@ -142,6 +142,15 @@ fn borders_without_freedom_or_without_area_are_told() {
     assert!(error.to_string().contains("singular at (u, v) = ("), "{error}");
 }
 
+#[test]
+fn a_triangle_folded_along_a_line_is_singular_there() {
+    let ab = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 2.0, 1.0], [3.0, 0.0, 0.0]].map(Point::from);
+    let bc = [ab[3], ab[2], ab[1], ab[0]];
+    let net = TriangleNet::from_boundary(&ab, &bc, &[Point::ZERO; 4]).unwrap();
+    let error = least_area_triangle(&TrianglePatch::new(net).unwrap(), DEFAULT, &()).unwrap_err();
+    assert!(error.to_string().contains("singular at (u, v) = ("), "{error}");
+}
+
 fn check(found: &AreaExtremal, patch: &dyn Patch, dirichlet: f64) -> Result<(), TestCaseError> {
     let tolerance = 1e-9 * found.area.value;
     prop_assert!(found.area.value <= found.start + tolerance, "{found:?}");
