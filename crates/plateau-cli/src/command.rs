@@ -324,15 +324,15 @@ pub(crate) struct FileFormat(pub(crate) exchange::Format);
 
 impl ValueEnum for FileFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        use exchange::Format::{Glb, Obj, Ply, Step, Stl, Vtu};
-        static FORMATS: [FileFormat; 6] = [
-            FileFormat(Obj),
-            FileFormat(Ply),
-            FileFormat(Stl),
-            FileFormat(Glb),
-            FileFormat(Vtu),
-            FileFormat(Step),
-        ];
+        static FORMATS: [FileFormat; exchange::Format::ALL.len()] = {
+            let mut formats = [FileFormat(exchange::Format::ALL[0]); exchange::Format::ALL.len()];
+            let mut k = 0;
+            while k < formats.len() {
+                formats[k] = FileFormat(exchange::Format::ALL[k]);
+                k += 1;
+            }
+            formats
+        };
         &FORMATS
     }
 

@@ -240,14 +240,13 @@ impl StoredMethod {
             path: to.path().to_owned(),
             reason: format!("the method failed: {error}"),
         })?;
-        let mesh = match format {
-            Format::Step => Mesh::default(),
-            Format::Obj | Format::Ply | Format::Stl | Format::Glb | Format::Vtu => {
-                surface.mesh(subdivisions).map_err(|error| ExportError::Refused {
-                    path: to.path().to_owned(),
-                    reason: error.to_string(),
-                })?
-            }
+        let mesh = if format.holds_a_mesh() {
+            surface.mesh(subdivisions).map_err(|error| ExportError::Refused {
+                path: to.path().to_owned(),
+                reason: error.to_string(),
+            })?
+        } else {
+            Mesh::default()
         };
         export::write(
             format,

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use surfaces::Mesh;
 
-use super::glb::{self, Motion};
+use super::format::{Motion, write_glb};
 
 /// Seconds from the right helicoid to the catenoid; and back again.
 const SECONDS: f64 = 4.0;
@@ -39,7 +39,7 @@ pub fn write_deformation(
             .map(|(step, k)| (SECONDS * step as f64 / last, vec![1.0 - weights[k][0], weights[k][1]]))
             .collect(),
     };
-    glb::write(name, helicoid, None, Some(&motion), out)
+    write_glb(name, helicoid, None, Some(&motion), out)
 }
 
 #[cfg(test)]

@@ -10,7 +10,6 @@ use super::format::Format;
 use super::shell::ShellFile;
 use super::step::StepFile;
 use super::subject::{Export, Subject, SurfaceForm};
-use super::{glb, obj, ply, stl, vtu};
 
 /// A format cannot hold a surface: why, and what to do.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -44,7 +43,7 @@ impl<'a> SurfaceFile<'a> {
         if let Surface::Complex(complex) = surface {
             return Self::of_complex(format, subject, complex);
         }
-        let content = match export(format) {
+        let content = match format.of_meshes() {
             Some(export) => Content::of_mesh(export, subject.mesh)?,
             None => {
                 let file =
@@ -60,7 +59,7 @@ impl<'a> SurfaceFile<'a> {
     /// # Errors
     /// [`Unfit`] if the format cannot hold it.
     pub fn of_complex(format: Format, subject: Subject<'a>, complex: &'a Complex) -> Result<Self, Unfit> {
-        let content = match export(format) {
+        let content = match format.of_meshes() {
             Some(export) => Content::of_mesh(export, subject.mesh)?,
             None => {
                 let file = ShellFile::new(complex).map_err(|error| Unfit(error.to_string()))?;
@@ -92,18 +91,6 @@ impl<'a> SurfaceFile<'a> {
             Content::Step(file) => file.write(self.subject.name, out),
             Content::Shell(file) => file.write(self.subject.name, out),
         }
-    }
-}
-
-/// The writer of meshes in a format; none for STEP, which has no mesh.
-fn export(format: Format) -> Option<&'static dyn Export> {
-    match format {
-        Format::Obj => Some(&obj::Obj),
-        Format::Ply => Some(&ply::Ply),
-        Format::Stl => Some(&stl::Stl),
-        Format::Glb => Some(&glb::Glb),
-        Format::Vtu => Some(&vtu::Vtu),
-        Format::Step => None,
     }
 }
 

@@ -5,17 +5,12 @@ mod deformation;
 mod extent;
 mod file;
 mod format;
-mod glb;
 mod name;
-mod obj;
-mod ply;
 mod shell;
 mod single;
 mod spline;
 mod step;
-mod stl;
 mod subject;
-mod vtu;
 
 pub use csv::write_curves;
 pub use deformation::write_deformation;

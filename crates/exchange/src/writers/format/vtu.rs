@@ -9,7 +9,7 @@ use base64::prelude::BASE64_STANDARD;
 use base64::write::EncoderWriter;
 use surfaces::Mesh;
 
-use super::subject::{Export, Subject};
+use crate::writers::subject::{Export, Subject};
 
 /// The cell type of a triangle in VTK.
 const TRIANGLE: u8 = 5;

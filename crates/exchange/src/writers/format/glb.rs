@@ -9,9 +9,9 @@ use std::io::{self, Write};
 use serde_json::{Map, Value, json};
 use surfaces::{Mesh, Point};
 
-use super::extent::extent;
-use super::single;
-use super::subject::{Colours, Export, Subject};
+use crate::writers::extent::extent;
+use crate::writers::single;
+use crate::writers::subject::{Colours, Export, Subject};
 
 /// Which parameter of a vertex, index or key frame a number is, in the terms of glTF.
 const FLOAT: u32 = 5126;

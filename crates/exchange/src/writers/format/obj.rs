@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use super::name::one_line;
-use super::subject::{Export, Subject};
+use crate::writers::name::one_line;
+use crate::writers::subject::{Export, Subject};
 
 pub(crate) struct Obj;
 

@@ -5,8 +5,8 @@
 
 use std::io::{self, Write};
 
-use super::name::ascii;
-use super::subject::{Colours, Export, Subject};
+use crate::writers::name::ascii;
+use crate::writers::subject::{Colours, Export, Subject};
 
 const HEADER: &str = "\
 property double x

@@ -4,9 +4,9 @@ use std::io::{self, ErrorKind, Write};
 
 use surfaces::Point;
 
-use super::name::ascii;
-use super::single::{self, Loss};
-use super::subject::{Export, Subject, SurfaceForm};
+use crate::writers::name::ascii;
+use crate::writers::single::{self, Loss};
+use crate::writers::subject::{Export, Subject, SurfaceForm};
 
 /// Bytes of the free text at the head of the file.
 const HEADER: usize = 80;
