@@ -91,14 +91,13 @@ impl Figures {
     /// A quadratic energy, if it is known.
     #[must_use]
     pub fn quadratic(&self, functional: Functional) -> Option<Integral> {
-        match functional {
-            Functional::Dirichlet => Some(self.dirichlet),
-            Functional::Laplacian => Some(self.laplacian_defect),
-            Functional::Bending => Some(self.bending),
-            Functional::Coons => {
-                self.minimised.filter(|(known, _)| *known == functional).map(|(_, value)| value)
-            }
-        }
+        let of_every_surface = [
+            (Functional::Dirichlet, self.dirichlet),
+            (Functional::Laplacian, self.laplacian_defect),
+            (Functional::Bending, self.bending),
+        ];
+        let mut known = of_every_surface.into_iter().chain(self.minimised);
+        known.find(|(known, _)| *known == functional).map(|(_, value)| value)
     }
 
     /// These figures of `patches` with a quadratic energy that they minimise.
