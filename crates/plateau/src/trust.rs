@@ -18,7 +18,7 @@ const ON_THE_WALL: f64 = 1e-9;
 pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if let Some(outcome) = &solved.search {
-        of_search(outcome, search, &mut warnings);
+        of_search(outcome, solved.family.parameters(), search, &mut warnings);
     }
     if let Some(solve) = &solved.solve {
         of_solve(solve, &mut warnings);
@@ -45,11 +45,12 @@ pub(crate) fn of_film(extremal: Option<&AreaExtremal>, figures: &Figures, warnin
     of_figures(figures, warnings);
 }
 
-fn of_search(outcome: &SearchOutcome, search: &Search, warnings: &mut Vec<Warning>) {
+fn of_search(outcome: &SearchOutcome, names: &[&'static str], search: &Search, warnings: &mut Vec<Warning>) {
     let width = search.upper - search.lower;
     for bound in [search.lower, search.upper] {
-        let parameters: Vec<&str> = ["α1", "α2", "β1", "β2"]
-            .into_iter()
+        let parameters: Vec<&str> = names
+            .iter()
+            .copied()
             .zip(&outcome.shape)
             .filter(|(_, x)| (*x - bound).abs() <= ON_THE_WALL * width)
             .map(|(name, _)| name)

@@ -127,16 +127,22 @@ impl ShapedFamily {
         }
     }
 
-    /// The shape in the coordinates in which the functions are affine, two in u and two in v.
+    /// Which of the four [`coordinates`](Self::coordinates) each parameter is.
+    const fn places(self) -> &'static [usize] {
+        match self {
+            Self::Gt | Self::TbCoons => &[0, 1, 2, 3],
+        }
+    }
+
+    /// The shape in the coordinates in which the functions are affine, two in u and two in v; those that no parameter is are 0.
     ///
     /// # Errors
     /// [`SurfaceError::ShapeCount`] unless there is one number for each parameter.
     pub fn coordinates(self, shape: &[f64]) -> Result<[f64; 4], SurfaceError> {
-        let expected = self.parameters().len();
-        let count = |_| SurfaceError::ShapeCount { family: self.title(), expected, found: shape.len() };
-        match self {
-            Self::Gt | Self::TbCoons => shape.try_into().map_err(count),
-        }
+        self.has_whole_shapes(shape, 1)?;
+        let mut coordinates = [0.0; 4];
+        self.places().iter().zip(shape).for_each(|(&place, &parameter)| coordinates[place] = parameter);
+        Ok(coordinates)
     }
 
     /// The coordinates of many shapes, one after the other.
@@ -144,21 +150,30 @@ impl ShapedFamily {
     /// # Errors
     /// [`SurfaceError::ShapeCount`] unless `shapes` holds whole shapes.
     pub fn coordinates_of_all(self, shapes: &[f64]) -> Result<Cow<'_, [f64]>, SurfaceError> {
-        let expected = self.parameters().len();
-        if !shapes.len().is_multiple_of(expected) {
-            return Err(SurfaceError::ShapeCount { family: self.title(), expected, found: shapes.len() });
+        let count = self.places().len();
+        self.has_whole_shapes(shapes, shapes.len() / count)?;
+        if count == 4 {
+            return Ok(Cow::Borrowed(shapes));
         }
-        Ok(match self {
-            Self::Gt | Self::TbCoons => Cow::Borrowed(shapes),
-        })
+        let mut all = Vec::with_capacity(4 * (shapes.len() / count));
+        for shape in shapes.chunks_exact(count) {
+            all.extend(self.coordinates(shape)?);
+        }
+        Ok(Cow::Owned(all))
+    }
+
+    fn has_whole_shapes(self, shapes: &[f64], count: usize) -> Result<(), SurfaceError> {
+        let expected = self.places().len();
+        if shapes.len() == count * expected {
+            return Ok(());
+        }
+        Err(SurfaceError::ShapeCount { family: self.title(), expected, found: shapes.len() })
     }
 
     /// A derivative by the [`coordinates`](Self::coordinates) as one by the parameters: the transpose of their Jacobian matrix.
     #[must_use]
     pub fn by_parameters(self, by_coordinates: [f64; 4]) -> Vec<f64> {
-        match self {
-            Self::Gt | Self::TbCoons => by_coordinates.to_vec(),
-        }
+        self.places().iter().map(|&place| by_coordinates[place]).collect()
     }
 
     /// The products whose sum is a patch of degrees `(m, n)`, in the order of its [`products`](TensorPatch::products), each factor as

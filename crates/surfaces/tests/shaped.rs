@@ -34,6 +34,8 @@ fn every_family_is_named_by_its_words() {
         assert!(words.contains(&(word, Some(family))), "{family:?} has no word");
         assert!(ShapedFamily::BASES.iter().any(|(word, _)| *word == basis), "{family:?}: {basis}");
         assert!(ShapedFamily::PATCHES.iter().any(|(word, _)| *word == patch), "{family:?}: {patch}");
+        let rising = family.coordinates(&shape(family)).unwrap();
+        assert_eq!(family.by_parameters(rising), shape(family), "{family:?}: parameters and coordinates");
         let count = ShapedFamily::ALL.iter().filter(|other| other.names() == family.names()).count();
         assert_eq!(count, 1, "two families are called {:?}", family.names());
     }
