@@ -25,6 +25,16 @@
 //! assert!(stiffness.row(1).iter().sum::<f64>().abs() < 1e-14);
 //! # Ok::<(), bases::BasisError>(())
 //! ```
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | families | [`Basis`]; [`Bernstein`], [`Gt`], [`Aht`], [`At`]; [`GtParts`] affine in the shape; [`Stacked`] combinations; [`Nodal`] values at points |
+//! | functions that vanish at both ends | [`Lobatto`], [`GtBubbles`], [`GtBubbleParts`] affine in the shape |
+//! | integrals | [`GaussLegendre`], [`Samples`], [`gram()`] |
+//! | cutting a family in two | [`Subdivision`] |
+//! | matrices, errors | [`Matrix`], [`BasisError`] |
 
 mod aht;
 mod at;

@@ -22,6 +22,19 @@
 //! assert!(area.settled && area.value < dirichlet);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | quadratic energies | [`Functional`] of [`DensityTerm`]s; [`QuadraticForm`] of [`KroneckerTerm`]s, [`DenseForm`], [`ReferenceTriangle`] |
+//! | for every shape of a family | [`ShapeForm`], [`ShapeTerm`], [`GramPolynomial`] |
+//! | in the metric of another surface | [`MetricForm`], [`METRIC_TOLERANCE`] |
+//! | integrals with their errors | [`Integral`], [`integrate()`], [`area()`], [`AREA_TOLERANCE`] |
+//! | derivatives of the area | [`area_with_gradient()`], [`area_derivative()`], [`triangle_area_with_gradient()`], [`AreaExpansion`], [`ProductArea`], [`SampledArea`], [`TangentSamples`], [`NormalVariation`] |
+//! | the same, cell by cell | [`Cell`], [`ProductCell`], [`SampledCell`], [`Freedom`] |
+//! | bounds from below | [`Calibration`], [`Plane`], [`certify()`], [`Unproved`] |
+//! | errors | [`EnergyError`] |
 
 mod area;
 mod area_hessian;

@@ -14,6 +14,15 @@
 //! assert_eq!((loops.len(), loops[0].len()), (1, 4));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | files of curves | [`read_curves()`], [`CurveFile`], [`FileCurve`], [`Shape`], [`Kind`], [`CurveFileError`] |
+//! | one boundary of many curves | [`Assembly`], [`AssemblyOptions`], [`Form`], [`Side`], [`Walk`], [`Weld`], [`AssemblyError`]; [`Frame`], [`FrameError`] |
+//! | files of surfaces | [`SurfaceFile`] in a [`Format`] of a [`Subject`], [`Colours`]; [`SurfaceForm`], [`Unfit`], [`DEFAULT_TOLERANCE`] |
+//! | others | [`write_curve()`], [`write_deformation()`], [`diagonal()`] |
 
 mod assembly;
 mod curves;

@@ -25,6 +25,17 @@
 //! assert!((area - 5.123).abs() < 1e-2 && show::table(&finished.results, show::WIDTH).contains("Dirichlet"), "{area}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | plans | [`Plan`], [`Experiment`]: [`PatchExperiment`], [`FilmExperiment`] with [`FilmMethod`]s over a [`Rim`]; [`Output`], [`stem()`] |
+//! | what a file wants of its figures | [`Wanted`], [`Expected`], [`Published`], [`Missed`] |
+//! | running | [`run()`], [`run_kept()`], [`Options`], [`Finished`] |
+//! | refusals | [`Refusal`], [`Diagnostic`], [`Fault`]; [`MAX_FILE_SIZE`], [`MAX_KEYS`], [`MAX_TOKENS`] |
+//! | files of other programs as experiments | [`import()`], [`import_assembly()`], [`ImportOptions`], [`ImportError`], [`CornerGap`], [`MAX_IMPORT_SIZE`] |
+//! | the language | [`key_list()`], [`experiment_schema()`], [`Template`] |
 
 mod diagnostic;
 mod import;

@@ -37,6 +37,16 @@
 //! finds nothing finite says so ([`Reason::NothingFinite`]). Parameters out of range, boxes without
 //! interior and starts outside the box are errors that name the parameter or the component; sizes
 //! are checked before anything is allocated.
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | what is minimised | [`Objective`], [`Smooth`]; [`FnObjective`], [`FnSmooth`] of closures |
+//! | the box | [`Bounds`], [`Bound`], [`BoundsError`], [`MAX_BOUND`] |
+//! | the swarm | [`Pso`], [`Topology`], [`Stagnation`], [`PsoError`]; [`Observer`], [`Progress`]; [`MAX_PARTICLES`], [`MAX_EVALUATIONS`], [`MAX_COORDINATES`], [`MAX_HISTORY`] |
+//! | what it found | [`Search`], [`Run`], [`Best`], [`Reason`] |
+//! | the polish | [`Polish`], [`Polished`], [`PolishReason`], [`PolishError`]; [`MAX_STARTS`], [`MAX_POLISH_DIMENSION`], [`MAX_POLISH_EVALUATIONS`] |
 
 mod bounds;
 mod box_model;

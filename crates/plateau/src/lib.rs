@@ -29,6 +29,25 @@
 //! - [`degeneracies`] says what is wrong with a boundary before anything is computed.
 //!
 //! Whoever waits may watch ([`Progress`]) and keep finished runs of searches ([`Keeper`]). Nothing here reads or writes files.
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | boundaries | [`Boundary`]: [`TensorBoundary`], [`OppositeSides`] in a [`Direction`], [`TriangleBoundary`]; [`Corner`], [`Gap`], [`BoundaryError`], [`Degeneracy`]; [`MAX_DEGREE`], [`MAX_COORDINATE`], [`MIN_SIZE`] |
+//! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`]; [`Energy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
+//! | running one | [`Context`], [`Arithmetic`], [`MethodError`] |
+//! | searches | [`Search`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
+//! | results | [`Results`], [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
+//! | figures | [`Figures`], [`BoundaryFigures`], [`FilmFigures`], [`Seams`], [`Kink`]; [`Quantity`], [`Measured`]; [`ClosedForm`] |
+//! | least areas | [`least_area_from()`], [`least_area_raised()`], [`least_area_triangle_from()`], [`least_area_triangle_raised()`], [`least_area_complex()`], [`least_area_complex_near()`], [`dirichlet_complex()`]; [`AreaExtremal`], [`AreaEnd`], [`ValleyEnd`], [`Start`], [`Stage`] |
+//! | how far from the least | [`estimate_net()`], [`estimate_triangle()`], [`estimate_complex()`], [`AreaEstimate`], [`NoEstimate`]; [`excess_of_net()`], [`excess_of_triangle()`], [`excess_of_complex()`] |
+//! | proved bounds from below | [`lower_bound()`], [`lower_bound_of_net()`], [`LowerBound`], [`CalibratedFace`], [`Competitors`], [`NoBound`] |
+//! | loops and graphs of curves | [`Loop`], [`CurveGraph`], [`GraphCurve`], [`FaceSide`]; [`Cutting`], [`CutBoundary`], [`Way`], [`CuttingError`], [`odd_corners()`] |
+//! | films | [`Film`], [`FilmFace`], [`FillEnergy`], [`Tried`] |
+//! | exact surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`], [`Construction`] |
+//! | nets of one's own | [`OwnNet`], [`NetBasis`], [`OrderSix`], [`of_net()`] |
+//! | curves | [`Curve`], [`CurveBasis`], [`CurveResult`] |
 
 mod arithmetic;
 mod boundary;

@@ -3,6 +3,17 @@
 //! [`deliver()`] writes `result.json` and the files for other programs into the folder of an experiment, a [`Checkpoint`] the
 //! runs of searches that have ended. [`StoredResult`] reads the surfaces of a result back, bit for bit; [`verify()`] computes
 //! a result again and compares, [`reproduce()`] sets the numbers of the papers beside ours.
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | the record | [`ResultFile`], [`method_record()`], [`SCHEMA`], [`Manifest`], [`Origin`] |
+//! | writing | [`deliver()`], [`deliver_watched()`], [`prepare()`], [`report()`], [`Delivered`], [`DeliverError`]; [`write_text()`], [`export_complex()`], [`Destination`], [`ExportError`] |
+//! | the folder | [`folder()`], [`folder_key()`], [`Claim`], [`earlier()`], [`Earlier`] |
+//! | checkpoints | [`Checkpoint`], [`CHECKPOINT_FILE`], [`CheckpointError`] |
+//! | reading | [`StoredResult`], [`StoredMethod`], [`ReadError`] |
+//! | computing again | [`verify()`], [`Verification`], [`Verified`], [`Level`], [`Difference`], [`VerifyError`]; [`reproduce()`], [`Reproduction`], [`Reproduced`], [`Verdict`], [`REPRODUCTION_SCHEMA`] |
 
 mod atomic;
 mod checkpoint;

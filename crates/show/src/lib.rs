@@ -4,6 +4,15 @@
 //! on one scale; [`pictures()`] draws it as SVG, [`page()`] as one HTML file that needs nothing but itself. [`basis_functions`] draws the functions
 //! of a basis, [`construction()`] how a helicoid's net is constructed, [`multiples()`] a figure of many experiments, and [`study_page()`] is their page.
 //! [`Printable`] makes text from outside fit for a terminal.
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`] |
+//! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`by_mean_curvature()`] |
+//! | the page | [`page()`], [`About`]; [`Comparison`], [`Verdict`] |
+//! | text on a terminal | [`Printable`], [`stand_ins()`], [`width_of_names()`] |
 
 mod colour;
 mod curvature_colours;

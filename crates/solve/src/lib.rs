@@ -41,6 +41,19 @@
 //! assert_eq!(Partition::of_net(3, 3, &[1], &[1])?.free(), [4]);
 //! # Ok::<(), solve::SolveError>(())
 //! ```
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | what is fixed and what free | [`Partition`] |
+//! | solutions | [`Solution`], [`SeparableSolution`], [`ProductSolution`], [`ParametricSolution`], [`RankSolution`] |
+//! | a separable system | [`Samples`], [`AffineSamples`], [`SampledFunctions`], [`ProductTerm`] |
+//! | a system with parameters | [`ParametricProblem`], [`PolynomialMatrix`], [`Term`], [`Path`] of the arithmetic |
+//! | a sparse one | [`Triplet`] |
+//! | condensed interiors | [`Condensation`], [`Condensed`] |
+//! | eigenvalues | [`Eigenpair`], [`SymmetricEigen`] |
+//! | errors | [`SolveError`], [`Place`] |
 
 mod certificate;
 mod check;
