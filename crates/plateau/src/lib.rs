@@ -47,7 +47,7 @@
 //! | films | [`Film`], [`FilmFace`], [`FillEnergy`], [`Tried`] |
 //! | exact surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`], [`Construction`] |
 //! | nets of one's own | [`OwnNet`], [`NetBasis`], [`OrderSix`], [`of_net()`] |
-//! | curves | [`Curve`], [`CurveBasis`], [`CurveResult`] |
+//! | curves | [`Curve`], [`CurveBasis`], [`CurveFunction`], [`CurveEnd`], [`CurveResult`] |
 
 mod arithmetic;
 mod boundary;

@@ -34,11 +34,11 @@
 //! |---|---|
 //! | points and nets | [`Point`], [`Net`], [`TriangleNet`], [`extent()`], [`anchor()`] |
 //! | patches | [`Patch`], its [`Domain`]; [`TensorPatch`] of [`Product`]s, [`TrianglePatch`] of a [`TriangleBasis`], [`Pieces`] |
-//! | families with shape parameters | [`ShapedFamily`], [`ShapeFactor`], [`polynomial_bubbles()`]; [`tb_coons()`] of [`end_blend()`] and [`bernstein_less_blend()`] |
+//! | families with shape parameters | [`ShapedFamily`], [`ShapeFactor`], [`polynomial_bubbles()`]; [`tb_coons()`], [`tb_coons_parts()`] of [`end_blend()`] and [`bernstein_less_blend()`] |
 //! | what is known at a point | [`Jet`], [`FirstForm`], [`SecondForm`] |
 //! | meshes | [`Mesh`], [`ComplexMesh`] |
 //! | nets by formula | [`discrete_coons()`], [`discrete_coons_triangle()`]; [`TriangleMask`], [`rectangular_mask()`], [`MaskSystem`], [`COONS_CORNER_WEIGHT`]; [`harmonic_relations()`], [`Relation`] |
-//! | exact minimal surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`] |
+//! | exact minimal surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`], [`PlaneConstruction`], [`SpiralEnd`] |
 //! | complexes | [`Complex`], [`Vertex`], [`Edge`], [`EdgeUse`], [`FixedEdge`], [`Face`], [`Side`], [`Orientation`], [`ComplexError`] |
 //! | curves | [`Curve`], [`CurveJet`]; [`BoundaryCurve`]: [`Bezier`], [`Polyline`], [`SplineCurve`], [`Samples`], [`EllipseArc`]; [`CurveFit`], [`Deviation`], [`CurveError`] |
 //! | errors | [`SurfaceError`] |
