@@ -32,7 +32,7 @@
 //! | in the metric of another surface | [`MetricForm`], [`METRIC_TOLERANCE`] |
 //! | integrals with their errors | [`Integral`], [`integrate()`], [`area()`], [`AREA_TOLERANCE`] |
 //! | derivatives of the area | [`area_with_gradient()`], [`area_derivative()`], [`triangle_area_with_gradient()`], [`AreaExpansion`], [`ProductArea`], [`SampledArea`], [`TangentSamples`], [`NormalVariation`] |
-//! | the same, cell by cell | [`Cell`], [`ProductCell`], [`SampledCell`], [`Freedom`] |
+//! | the same, cell by cell | [`Cell`], [`ProductCell`], [`SampledCell`], [`Freedom`]; [`PiecedCell`] of [`Pieces`], each a [`Quadrilateral`] |
 //! | bounds from below | [`Calibration`], [`Plane`], [`certify()`], [`Unproved`] |
 //! | errors | [`EnergyError`] |
 

@@ -22,7 +22,7 @@
 //! | files of curves | [`read_curves()`], [`CurveFile`], [`FileCurve`], [`Shape`], [`Kind`], [`CurveFileError`] |
 //! | one boundary of many curves | [`Assembly`], [`AssemblyOptions`], [`Form`], [`Side`], [`Walk`], [`Weld`], [`AssemblyError`]; [`Frame`], [`FrameError`] |
 //! | files of surfaces | [`SurfaceFile`] in a [`Format`] of a [`Subject`], [`Colours`]; [`SurfaceForm`], [`Unfit`], [`DEFAULT_TOLERANCE`] |
-//! | others | [`write_curve()`], [`write_curves()`], [`write_deformation()`], [`diagonal()`] |
+//! | others | [`write_curves()`], [`write_deformation()`], [`diagonal()`] |
 
 mod assembly;
 mod curves;

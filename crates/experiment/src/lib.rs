@@ -33,6 +33,7 @@
 //! | plans | [`Plan`], [`Experiment`]: [`PatchExperiment`], [`FilmExperiment`] with [`FilmMethod`]s over a [`Rim`]; [`Output`], [`stem()`] |
 //! | what a file wants of its figures | [`Wanted`], [`Expected`], [`Published`], [`Missed`] |
 //! | running | [`run()`], [`run_kept()`], [`Options`], [`Finished`] |
+//! | sweeps | [`Sweep`]: [`Axis`], its [`Source`]; [`Cell`], its [`Setting`]s |
 //! | refusals | [`Refusal`], [`Diagnostic`], [`Fault`]; [`MAX_FILE_SIZE`], [`MAX_KEYS`], [`MAX_TOKENS`] |
 //! | files of other programs as experiments | [`import()`], [`import_assembly()`], [`ImportOptions`], [`ImportError`], [`CornerGap`], [`MAX_IMPORT_SIZE`] |
 //! | the language | [`key_list()`], [`experiment_schema()`], [`Template`] |

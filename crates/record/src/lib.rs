@@ -10,7 +10,7 @@
 //! |---|---|
 //! | the record | [`ResultFile`], [`method_record()`], [`SCHEMA`], [`Manifest`], [`Origin`] |
 //! | writing | [`deliver()`], [`deliver_watched()`], [`prepare()`], [`report()`], [`Delivered`], [`DeliverError`]; [`write_text()`], [`export_complex()`], [`Destination`], [`ExportError`] |
-//! | the folder | [`folder()`], [`folder_key()`], [`Claim`], [`earlier()`], [`Earlier`] |
+//! | the folder | [`folder()`], [`folder_of()`], [`folder_key()`], [`own_contents()`], [`RESULT_FILE`], [`REPORT_FILE`]; [`Claim`], [`earlier()`], [`Earlier`] |
 //! | checkpoints | [`Checkpoint`], [`CHECKPOINT_FILE`], [`CheckpointError`] |
 //! | reading | [`StoredResult`], [`StoredMethod`], [`ReadError`] |
 //! | computing again | [`verify()`], [`Verification`], [`Verified`], [`Level`], [`Difference`], [`VerifyError`]; [`reproduce()`], [`Reproduction`], [`Reproduced`], [`Verdict`], [`REPRODUCTION_SCHEMA`] |

@@ -9,8 +9,9 @@
 //!
 //! | noun | here |
 //! |---|---|
-//! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`] |
+//! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`]; numbers in a [`Form`] |
 //! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`by_mean_curvature()`] |
+//! | studies | [`Study`], [`StudyRow`]s, [`Multiples`] of [`Panel`]s |
 //! | the page | [`page()`], [`About`]; [`Comparison`], [`Verdict`] |
 //! | text on a terminal | [`Printable`], [`stand_ins()`], [`width_of_names()`] |
 

@@ -33,6 +33,14 @@
 //! # std::fs::remove_dir_all(&out)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # What is here
+//!
+//! | noun | here |
+//! |---|---|
+//! | a share of the cells | [`Shard`], [`Asked`] for in words, [`shard()`] with the variables of a scheduler, [`ShardError`] |
+//! | running it | [`Order`], [`run()`], [`Tally`]; [`OUTLINE_FILE`], [`OUTLINE_SCHEMA`] |
+//! | one table of all | [`merge()`], [`Merged`], [`MERGED_SCHEMA`], [`MergeError`] |
 
 mod csv;
 mod document;
