@@ -363,8 +363,9 @@ fn asked_to_end(signal: &str) {
     fs::write(&files[0], fixture("gt-5.1.toml", 20, 40, 6)).unwrap();
     fs::write(&files[1], fixture("gt-5.2-local.toml", 50, 1500, 150)).unwrap();
     let out = folder.path().join("out");
-    // How far the second comes depends on the machine: until a run of it has ended, and before all have.
-    let interrupted = (0..12).find_map(|attempt| {
+    // How far the second comes depends on the machine: until a run of it has ended, and before all have. The waits grow by less than
+    // that time is long.
+    let interrupted = (0..16).find_map(|attempt| {
         let _ = fs::remove_dir_all(&out);
         let mut child = plateau(&files, &out, &["--checkpoint-every", "3600"])
             .stdout(Stdio::piped())
@@ -374,7 +375,7 @@ fn asked_to_end(signal: &str) {
         while !out.join("first/result.json").exists() && child.try_wait().unwrap().is_none() {
             sleep(Duration::from_millis(2));
         }
-        sleep(Duration::from_millis(100) * 3_u32.pow(attempt / 3));
+        sleep(Duration::from_millis(60).mul_f64(1.4_f64.powi(attempt)));
         let sent = Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
         assert!(sent.success());
         let output = child.wait_with_output().unwrap();
