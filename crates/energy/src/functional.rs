@@ -26,6 +26,10 @@ pub enum Functional {
     Coons,
 }
 
+/// Over the equilateral triangle of area ½ the inverse metric of (u, v) is `c [1 −½; −½ 1]` with c = 2/√3.
+const C: f64 = 1.154_700_538_379_251_5;
+const C2: f64 = 4.0 / 3.0;
+
 const fn term(coefficient: f64, u: (usize, usize), v: (usize, usize)) -> DensityTerm {
     DensityTerm { coefficient, u, v }
 }
@@ -58,6 +62,60 @@ impl Functional {
         const BENDING: [DensityTerm; 3] =
             [term(1.0, (2, 2), (0, 0)), term(1.0, (0, 0), (2, 2)), term(2.0, (1, 1), (1, 1))];
         const COONS: [DensityTerm; 1] = [term(1.0, (1, 1), (1, 1))];
+        match self {
+            Self::Dirichlet => &DIRICHLET,
+            Self::Laplacian => &LAPLACIAN,
+            Self::Bending => &BENDING,
+            Self::Coons => &COONS,
+        }
+    }
+
+    /// The terms of the density over the equilateral triangle of area ½, on which u and v are barycentric.
+    pub(crate) const fn equilateral_terms(self) -> &'static [DensityTerm] {
+        // `(E − F + G)/√3`.
+        const DIRICHLET: [DensityTerm; 4] = [
+            term(C / 2.0, (1, 1), (0, 0)),
+            term(C / 2.0, (0, 0), (1, 1)),
+            term(-C / 4.0, (1, 0), (0, 1)),
+            term(-C / 4.0, (0, 1), (1, 0)),
+        ];
+
+        // `4/3 ‖x_uu − x_uv + x_vv‖²`.
+        const LAPLACIAN: [DensityTerm; 9] = [
+            term(C2, (2, 2), (0, 0)),
+            term(C2, (1, 1), (1, 1)),
+            term(C2, (0, 0), (2, 2)),
+            term(-C2, (2, 1), (0, 1)),
+            term(-C2, (1, 2), (1, 0)),
+            term(C2, (2, 0), (0, 2)),
+            term(C2, (0, 2), (2, 0)),
+            term(-C2, (1, 0), (1, 2)),
+            term(-C2, (0, 1), (2, 1)),
+        ];
+
+        // `4/3 (‖x_uu‖² + ‖x_vv‖² + 5/2 ‖x_uv‖² − 2 x_uu·x_uv − 2 x_uv·x_vv + ½ x_uu·x_vv)`, the squared norm of the second derivatives.
+        const BENDING: [DensityTerm; 9] = [
+            term(C2, (2, 2), (0, 0)),
+            term(C2, (0, 0), (2, 2)),
+            term(2.5 * C2, (1, 1), (1, 1)),
+            term(-C2, (2, 1), (0, 1)),
+            term(-C2, (1, 2), (1, 0)),
+            term(-C2, (1, 0), (1, 2)),
+            term(-C2, (0, 1), (2, 1)),
+            term(C2 / 4.0, (2, 0), (0, 2)),
+            term(C2 / 4.0, (0, 2), (2, 0)),
+        ];
+
+        // `‖x_uv‖² + ‖x_uu − x_uv‖² + ‖x_vv − x_uv‖²`: the mixed derivative along the two sides of each corner.
+        const COONS: [DensityTerm; 7] = [
+            term(3.0, (1, 1), (1, 1)),
+            term(1.0, (2, 2), (0, 0)),
+            term(1.0, (0, 0), (2, 2)),
+            term(-1.0, (2, 1), (0, 1)),
+            term(-1.0, (1, 2), (1, 0)),
+            term(-1.0, (1, 0), (1, 2)),
+            term(-1.0, (0, 1), (2, 1)),
+        ];
         match self {
             Self::Dirichlet => &DIRICHLET,
             Self::Laplacian => &LAPLACIAN,
