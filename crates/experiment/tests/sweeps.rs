@@ -112,6 +112,10 @@ fn ranges_have_their_ends_and_no_rounding() {
         labels("from = 0.01\nto = 100\ncount = 5\nspacing = \"logarithmic\""),
         ["0.01", "0.1", "1", "10", "100"]
     );
+    assert_eq!(
+        labels("from = 1e-6\nto = 1e-10\ncount = 3\nspacing = \"logarithmic\""),
+        ["1e-6", "1e-8", "1e-10"]
+    );
     assert_eq!(labels("from = 1\nto = 2\nby = 0.75"), ["1", "1.75"]);
 }
 

@@ -80,9 +80,10 @@ pub(crate) fn cells(
     }
     let share = if shard.is_whole() { String::new() } else { format!("shard {shard}, ") };
     let summary = format!(
-        "{}: {share}{} cells run, {} there already, in {}",
+        "{}: {share}{} {} run, {} there already, in {}",
         sweep.stem(),
         tally.done,
+        if tally.done == 1 { "cell" } else { "cells" },
         tally.kept,
         folder.display()
     );

@@ -123,8 +123,9 @@ fn logarithmic(
         );
         return None;
     }
-    let ends = [libm::log(from), libm::log(to)];
-    let mut numbers: Vec<f64> = linear(ends, count).into_iter().map(libm::exp).collect();
+    // By powers of ten, which their logarithms hold exactly: between 1e-6 and 1e-10 lies 1e-8 and no neighbour of it.
+    let ends = [libm::log10(from), libm::log10(to)];
+    let mut numbers: Vec<f64> = linear(ends, count).into_iter().map(libm::exp10).collect();
     // The ends as they are written.
     if let [first, .., last] = numbers.as_mut_slice() {
         (*first, *last) = (from, to);
