@@ -1,6 +1,6 @@
 //! A patch that was found, with its figures.
 
-use surfaces::Patch;
+use surfaces::{Mesh, Patch};
 
 use crate::{
     BoundaryFigures, ClosedForm, Context, Family, Figures, FilmFigures, LowerBound, MethodError, Search,
@@ -14,7 +14,7 @@ pub struct Done {
     /// The patch and the way to it.
     pub solved: Solved,
     /// The mesh the files and the largest curvature are taken from.
-    pub mesh: surfaces::Mesh,
+    pub mesh: Mesh,
     /// Its figures.
     pub figures: Figures,
     /// What its boundary admits and how far it moved, for patches on the unit square.
@@ -64,10 +64,20 @@ impl Done {
             Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
             Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
         };
+        Ok(Self::given(surface, family, None, (mesh, figures, boundary)))
+    }
+
+    /// A surface that was given, with what was measured of it, and the warnings that follow.
+    pub(crate) fn given(
+        surface: Surface,
+        family: Family,
+        shape: Option<Vec<f64>>,
+        (mesh, figures, boundary): (Mesh, Figures, Option<BoundaryFigures>),
+    ) -> Self {
         let solved =
-            Solved { surface, family, minimised: None, shape: None, solve: None, area: None, search: None };
+            Solved { surface, family, minimised: None, shape, solve: None, area: None, search: None };
         let warnings = trust::warnings(&solved, &figures, &Search::default());
-        Ok(Self {
+        Self {
             solved,
             mesh,
             figures,
@@ -77,6 +87,6 @@ impl Done {
             estimate: None,
             bound: None,
             warnings,
-        })
+        }
     }
 }

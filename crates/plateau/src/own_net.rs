@@ -2,10 +2,7 @@
 
 use surfaces::{Net, Point, TensorPatch, anchor};
 
-use crate::{
-    BoundaryFigures, Done, Family, Figures, FixedShape, MethodError, MethodResult, Search, Solved, Surface,
-    memory, trust,
-};
+use crate::{BoundaryFigures, Done, Family, Figures, FixedShape, MethodError, MethodResult, Surface, memory};
 
 /// A net of control points, all of them given, and the functions in which it is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,19 +53,7 @@ fn measured(own: &OwnNet, subdivisions: usize) -> Result<Done, MethodError> {
     };
     mesh.points.iter_mut().for_each(|p| *p += origin);
     let (surface, ..) = surface(own, Point::ZERO)?;
-    let solved = Solved { surface, family, minimised: None, shape, solve: None, area: None, search: None };
-    let warnings = trust::warnings(&solved, &figures, &Search::default());
-    Ok(Done {
-        solved,
-        mesh,
-        figures,
-        boundary,
-        closed_form: None,
-        film: None,
-        estimate: None,
-        bound: None,
-        warnings,
-    })
+    Ok(Done::given(surface, family, shape, (mesh, figures, boundary)))
 }
 
 /// The surface as it lies `origin` away from where it was given.

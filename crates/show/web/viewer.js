@@ -242,7 +242,8 @@
 
   const views = () => (state.other < 0 ? 1 : 2);
 
-  // The first view: all surfaces fill the canvas, whatever their nets reach to.
+  // The first view: all surfaces fill the canvas, whatever their nets reach to. Until it is left, it follows the canvas.
+  let first = "";
   function home() {
     Object.assign(camera, data.home);
     const { right, up, back } = axes(), aspect = canvas.clientWidth / views() / canvas.clientHeight || 1;
@@ -261,6 +262,7 @@
       const reach = Math.max(Math.abs(dot(right, p, k) - middle[0]) / aspect, Math.abs(dot(up, p, k) - middle[1]));
       camera.distance = Math.max(camera.distance, dot(back, p, k) + 1.05 * reach * FOCAL);
     });
+    first = JSON.stringify(camera);
   }
 
   function matrices() {
@@ -652,7 +654,10 @@
   $("reset").addEventListener("click", reset);
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
   canvas.addEventListener("webglcontextrestored", () => location.reload());
-  new ResizeObserver(() => draw()).observe(canvas);
+  new ResizeObserver(() => {
+    if (JSON.stringify(camera) === first) home();
+    draw();
+  }).observe(canvas);
 
   if (matchMedia("(pointer: coarse)").matches)
     $("help").textContent = "Swipe sideways to turn; rest a finger, then move it, to turn freely; two fingers zoom and move.";
