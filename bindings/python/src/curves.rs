@@ -7,6 +7,7 @@ use surfaces::{CurveError, EllipseArc, Point, SplineCurve};
 
 use crate::arrays::{array, coordinates, points};
 use crate::errors::BoundaryError;
+use crate::watch::watched;
 
 /// A curve as the package has it: the fields of `plateau_patches.Curve`.
 #[derive(FromPyObject)]
@@ -70,7 +71,8 @@ pub(crate) fn read_curves<'py>(
     bytes: &[u8],
     name: &str,
 ) -> PyResult<(Vec<Fields<'py>>, Vec<String>)> {
-    let file = exchange::read_curves(bytes, name)
+    let (given, called) = (bytes.to_owned(), name.to_owned());
+    let file = watched(py, None, move |_| exchange::read_curves(&given, &called))?
         .map_err(|error| BoundaryError::new_err(format!("{name}: {error}")))?;
     let curves = file.curves.into_iter().map(|curve| fields(py, curve)).collect::<PyResult<_>>()?;
     Ok((curves, file.notes))

@@ -4,9 +4,7 @@ use std::collections::HashMap;
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Frame, Kind};
 use numpy::PyReadonlyArray2;
-use plateau::{
-    CurveGraph, Fill, FillEnergy, Film, GraphCurve, MethodError as Failure, MethodResult, Progress, Way,
-};
+use plateau::{CurveGraph, Fill, FillEnergy, Film, GraphCurve, MethodResult, Progress, Way};
 use pyo3::prelude::*;
 use surfaces::{BoundaryCurve, Vertex};
 
@@ -72,17 +70,17 @@ impl Options {
         Ok(fill)
     }
 
-    /// The surface that `span` finds.
-    fn surface(
-        &self,
+    /// The surface that `span` finds, and what it says.
+    fn surface<S: Send + 'static>(
+        self,
         py: Python<'_>,
         told: Option<&Py<PyAny>>,
-        span: impl FnOnce(&Fill, &dyn Progress) -> Result<Film, Failure> + Send,
-    ) -> PyResult<Surface> {
-        let (fill, energy) = (self.fill()?, self.energy());
-        let film = watched(py, told, |progress| span(&fill, progress))?.map_err(|error| of_method(&error))?;
+        span: impl FnOnce(&Self, &Fill, &dyn Progress) -> PyResult<(Film, S)> + Send + 'static,
+    ) -> PyResult<(Surface, S)> {
+        let (fill, energy, name) = (self.fill()?, self.energy(), self.name.clone());
+        let (film, said) = watched(py, told, move |progress| span(&self, &fill, progress))??;
         let outcome = Ok(Box::new(film.into_done(energy)));
-        Surface::of(&MethodResult { name: self.name.clone(), outcome })
+        Ok((Surface::of(&MethodResult { name, outcome })?, said))
     }
 }
 
@@ -98,19 +96,20 @@ pub(crate) fn fill_loops(
     let curves =
         curves.iter().enumerate().map(|(k, curve)| curve.curve(k + 1)).collect::<PyResult<Vec<_>>>()?;
     let file = CurveFile { kind: Kind::Table, curves, notes: Vec::new() };
-    let how = AssemblyOptions {
-        weld: options.weld,
-        corner_angle: options.corner_angle.unwrap_or(AssemblyOptions::CORNER_ANGLE),
-    };
-    let refused = |error: &dyn std::fmt::Display| BoundaryError::new_err(error.to_string());
-    let assembly = Assembly::new(&file, &how).map_err(|error| refused(&error))?;
-    let tolerance = options.rim_tolerance.unwrap_or(RIM_TOLERANCE * assembly.size);
-    let frame = assembly.frame(tolerance).map_err(|error| refused(&error))?;
-    let surface = options.surface(py, told.as_ref(), |fill, progress| match &frame {
-        Frame::Loops(loops) => fill.loops(loops, progress),
-        Frame::Graph(graph) => fill.graph(graph, progress),
-    })?;
-    Ok((surface, assembly.notes))
+    options.surface(py, told.as_ref(), move |options, fill, progress| {
+        let how = AssemblyOptions {
+            weld: options.weld,
+            corner_angle: options.corner_angle.unwrap_or(AssemblyOptions::CORNER_ANGLE),
+        };
+        let refused = |error: &dyn std::fmt::Display| BoundaryError::new_err(error.to_string());
+        let assembly = Assembly::new(&file, &how).map_err(|error| refused(&error))?;
+        let tolerance = options.rim_tolerance.unwrap_or(RIM_TOLERANCE * assembly.size);
+        let film = match assembly.frame(tolerance).map_err(|error| refused(&error))? {
+            Frame::Loops(loops) => fill.loops(&loops, progress),
+            Frame::Graph(graph) => fill.graph(&graph, progress),
+        };
+        Ok((film.map_err(|error| of_method(&error))?, assembly.notes))
+    })
 }
 
 /// A vertex by name, its place or none, and whether it stays there.
@@ -159,5 +158,8 @@ pub(crate) fn fill_faces(
         .collect();
     let graph = CurveGraph::new(vertices, between, &faces, options.weld)
         .map_err(|error| BoundaryError::new_err(error.to_string()))?;
-    options.surface(py, told.as_ref(), |fill, progress| fill.graph(&graph, progress))
+    let (surface, ()) = options.surface(py, told.as_ref(), move |_, fill, progress| {
+        Ok((fill.graph(&graph, progress).map_err(|error| of_method(&error))?, ()))
+    })?;
+    Ok(surface)
 }

@@ -21,16 +21,17 @@ pub(crate) fn page(
     warnings: Vec<String>,
     text: &str,
 ) -> PyResult<(String, Vec<PictureFields>)> {
-    let surfaces: Vec<&Surface> = surfaces.iter().map(|surface| &**surface).collect();
-    watched(py, None, |_| {
+    let surfaces: Vec<_> = surfaces.iter().map(|surface| surface.found()).collect();
+    let (title, text) = (title.to_owned(), text.to_owned());
+    watched(py, None, move |_| {
         let methods: Vec<MethodResult> =
             surfaces.iter().map(|surface| surface.shown()).collect::<PyResult<_>>()?;
-        let results = Results { title: title.to_owned(), methods, curves: Vec::new(), warnings };
+        let results = Results { title: title.clone(), methods, curves: Vec::new(), warnings };
         let scene = Scene::of(&results);
         let pictures = show::pictures(&results, scene.as_ref());
         let about = About {
-            file: title,
-            text,
+            file: &title,
+            text: &text,
             seed: 0,
             comparisons: Vec::new(),
             files: Vec::new(),

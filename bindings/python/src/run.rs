@@ -1,6 +1,7 @@
 //! Experiments, run.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use experiment::{Finished, Options, Plan};
 use pyo3::exceptions::PyOSError;
@@ -9,13 +10,13 @@ use record::ResultFile;
 
 use crate::errors::{MethodError, of_method, of_refusal};
 use crate::surface::Surface;
-use crate::watch::watched;
+use crate::watch::{watched, watched_to_its_end};
 
 /// An experiment that was run.
 #[pyclass(frozen, module = "plateau_patches._engine")]
 pub(crate) struct Run {
-    plan: Plan,
-    finished: Finished,
+    plan: Arc<Plan>,
+    finished: Arc<Finished>,
 }
 
 /// Runs the experiment in a text, of a file called `name`.
@@ -28,10 +29,15 @@ pub(crate) fn run(
     seed: Option<u64>,
     told: Option<Py<PyAny>>,
 ) -> PyResult<Run> {
-    let plan = Plan::parse(name, text).map_err(|refusal| of_refusal(&refusal))?;
+    let (text, name) = (text.to_owned(), name.to_owned());
     let options = Options { seed, ..Options::default() };
-    let finished = watched(py, told.as_ref(), |progress| experiment::run(&plan, options, progress))?;
-    Ok(Run { finished: finished.map_err(|error| of_method(&error))?, plan })
+    let ran = watched(py, told.as_ref(), move |progress| {
+        let plan = Plan::parse(&name, &text).map_err(|refusal| of_refusal(&refusal))?;
+        let finished = experiment::run(&plan, options, progress).map_err(|error| of_method(&error))?;
+        Ok::<_, PyErr>((plan, finished))
+    })?;
+    let (plan, finished) = ran?;
+    Ok(Run { plan: Arc::new(plan), finished: Arc::new(finished) })
 }
 
 #[pymethods]
@@ -59,14 +65,16 @@ impl Run {
 
     /// The page that the command writes.
     fn page(&self, py: Python<'_>) -> PyResult<String> {
-        watched(py, None, |_| record::report(&self.plan, &self.finished))
+        let (plan, finished) = (self.plan.clone(), self.finished.clone());
+        watched(py, None, move |_| record::report(&plan, &finished))
     }
 
     /// Writes the folder that the command writes, and its notes.
     fn deliver(&self, py: Python<'_>, out: PathBuf) -> PyResult<(PathBuf, Vec<String>)> {
-        let delivered = watched(py, None, |progress| {
-            let _claim = record::prepare(&self.plan, &out)?;
-            record::deliver_watched(&self.plan, &self.finished, &out, progress)
+        let (plan, finished) = (self.plan.clone(), self.finished.clone());
+        let delivered = watched_to_its_end(py, move |progress| {
+            let _claim = record::prepare(&plan, &out)?;
+            record::deliver_watched(&plan, &finished, &out, progress)
         })?;
         let delivered = delivered.map_err(|error| PyOSError::new_err(error.to_string()))?;
         let refusals = delivered.refusals.iter().map(ToString::to_string);

@@ -2,10 +2,11 @@
 
 use std::io;
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use exchange::Format;
+use exchange::{Format, SurfaceForm};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyReadonlyArray2, ToPyArray};
-use plateau::{Done, Family, MethodResult, Surface as Geometry};
+use plateau::{Done, Family, MethodResult, Progress, Surface as Geometry};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -14,14 +15,17 @@ use surfaces::{Complex, Domain, Jet, Mesh, Patch, Point};
 
 use crate::arrays::{array, coordinates, or_nan, parameters};
 use crate::errors::{BoundaryError, FormatError, MethodError, of_export, of_method};
-use crate::watch::watched;
+use crate::watch::{watched, watched_to_its_end};
 
 /// Parameters that are evaluated at once by one thread.
 const CHUNK: usize = 4096;
 
-/// A surface and what `result.json` says of it.
+/// A surface and what `result.json` says of it. Work that is left to itself when it is interrupted shares it.
 #[pyclass(frozen, module = "plateau_patches._engine")]
-pub(crate) struct Surface {
+pub(crate) struct Surface(Arc<Found>);
+
+/// What a [`Surface`] holds.
+pub(crate) struct Found {
     stored: StoredMethod,
     geometry: Geometry,
     family: Family,
@@ -35,18 +39,37 @@ impl Surface {
         let (geometry, family) = stored.surface.clone().map_err(MethodError::new_err)?;
         let record =
             record::method_record(result).map_err(|error| MethodError::new_err(error.to_string()))?;
-        Ok(Self { stored, geometry, family, record })
+        Ok(Self(Arc::new(Found { stored, geometry, family, record })))
     }
 
+    pub(crate) fn found(&self) -> Arc<Found> {
+        self.0.clone()
+    }
+}
+
+impl Found {
     /// The surface with figures computed anew, for what shows them.
     pub(crate) fn shown(&self) -> PyResult<MethodResult> {
         let done = Done::of(self.geometry.clone(), self.family).map_err(|error| of_method(&error))?;
         Ok(MethodResult { name: self.stored.name.clone(), outcome: Ok(Box::new(done)) })
     }
 
-    /// The jets of a face at parameters.
-    fn jets(&self, face: usize, at: &[[f64; 2]]) -> PyResult<Vec<Jet>> {
-        self.with_patch(face, |patch| at.par_chunks(CHUNK).flat_map_iter(|at| patch.jets_at(at)).collect())
+    /// The jets of a face at parameters; some, if nobody waits for them any more.
+    fn jets(&self, face: usize, at: &[[f64; 2]], progress: &dyn Progress) -> PyResult<Vec<Jet>> {
+        let jets = |patch: &dyn Patch| {
+            let chunks = at.par_chunks(CHUNK).take_any_while(|_| !progress.cancelled());
+            chunks.flat_map_iter(|at| patch.jets_at(at)).collect()
+        };
+        self.with_patch(face, jets)
+    }
+
+    /// The points of a face at parameters, like [`Self::jets`].
+    fn points(&self, face: usize, at: &[[f64; 2]], progress: &dyn Progress) -> PyResult<Vec<Point>> {
+        let points = |patch: &dyn Patch| {
+            let chunks = at.par_chunks(CHUNK).take_any_while(|_| !progress.cancelled());
+            chunks.flat_map_iter(|at| patch.points_at(at)).collect()
+        };
+        self.with_patch(face, points)
     }
 
     fn with_patch<T>(&self, face: usize, of: impl FnOnce(&dyn Patch) -> T) -> PyResult<T> {
@@ -87,19 +110,19 @@ impl Surface {
         let stored = read.methods.into_iter().next();
         let stored = stored.ok_or_else(|| FormatError::new_err("the record holds no surface"))?;
         let (geometry, family) = stored.surface.clone().map_err(MethodError::new_err)?;
-        Ok(Self { stored, geometry, family, record: record.to_owned() })
+        Ok(Self(Arc::new(Found { stored, geometry, family, record: record.to_owned() })))
     }
 
     /// What `result.json` says of it, as JSON.
     #[getter]
     fn record(&self) -> &str {
-        &self.record
+        &self.0.record
     }
 
     /// `tensor`, `triangle`, `pieces` or `complex`.
     #[getter]
     fn kind(&self) -> &'static str {
-        match &self.geometry {
+        match &self.0.geometry {
             Geometry::Tensor(_) => "tensor",
             Geometry::Triangle(_) => "triangle",
             Geometry::Pieces(_) => "pieces",
@@ -110,7 +133,7 @@ impl Surface {
     /// The control points: (m + 1, n + 1, 3) of every net, ((n + 1)(n + 2)/2, 3) of a triangular one.
     fn nets<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyArrayDyn<f64>>>> {
         let net = |net: &surfaces::Net| array(py, vec![net.rows(), net.cols(), 3], coordinates(net.points()));
-        match &self.geometry {
+        match &self.0.geometry {
             Geometry::Tensor(patch) => Ok(vec![net(patch.net())?]),
             Geometry::Triangle(patch) => {
                 let points = patch.net().points();
@@ -127,7 +150,7 @@ impl Surface {
 
     /// The indices (i, j, k) of the control points of a triangular net.
     fn indices<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<u32>>>> {
-        let Geometry::Triangle(patch) = &self.geometry else { return Ok(None) };
+        let Geometry::Triangle(patch) = &self.0.geometry else { return Ok(None) };
         let all: Vec<Vec<u32>> =
             patch.net().indices().map(|index| index.map(|i| i as u32).to_vec()).collect();
         Ok(Some(PyArray2::from_vec2(py, &all)?))
@@ -135,7 +158,7 @@ impl Surface {
 
     /// The ranges of u and v of a rectangle; none of a triangle.
     fn domain(&self) -> PyResult<Option<[(f64, f64); 2]>> {
-        self.with_patch(0, |patch| match patch.domain() {
+        self.0.with_patch(0, |patch| match patch.domain() {
             Domain::Rectangle { u, v } => Some([u, v]),
             Domain::Triangle => None,
         })
@@ -149,11 +172,8 @@ impl Surface {
         at: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let at = parameters(&at)?;
-        let found = watched(py, None, |_| {
-            self.with_patch(face, |patch| -> Vec<Point> {
-                at.par_chunks(CHUNK).flat_map_iter(|at| patch.points_at(at)).collect()
-            })
-        })??;
+        let surface = self.found();
+        let found = watched(py, None, move |progress| surface.points(face, &at, progress))??;
         array(py, [found.len(), 3], coordinates(&found))
     }
 
@@ -165,7 +185,8 @@ impl Surface {
         at: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<[Bound<'py, PyArray2<f64>>; 2]> {
         let at = parameters(&at)?;
-        let jets = watched(py, None, |_| self.jets(face, &at))??;
+        let surface = self.found();
+        let jets = watched(py, None, move |progress| surface.jets(face, &at, progress))??;
         let of = |which: fn(&Jet) -> Point| {
             let points: Vec<Point> = jets.iter().map(which).collect();
             array(py, [points.len(), 3], coordinates(&points))
@@ -181,7 +202,8 @@ impl Surface {
         at: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<Curvatures<'py>> {
         let at = parameters(&at)?;
-        let jets = watched(py, None, |_| self.jets(face, &at))??;
+        let surface = self.found();
+        let jets = watched(py, None, move |progress| surface.jets(face, &at, progress))??;
         let none = Point::new(f64::NAN, f64::NAN, f64::NAN);
         let normals: Vec<Point> = jets.iter().map(|jet| jet.normal().unwrap_or(none)).collect();
         let mean: Vec<Option<f64>> = jets.iter().map(Jet::mean_curvature).collect();
@@ -195,7 +217,8 @@ impl Surface {
 
     /// The triangle mesh with so many subdivisions of every side of a patch.
     fn mesh<'py>(&self, py: Python<'py>, subdivisions: usize) -> PyResult<MeshArrays<'py>> {
-        let (mesh, faces) = watched(py, None, |_| self.triangles(subdivisions))??;
+        let surface = self.found();
+        let (mesh, faces) = watched(py, None, move |_| surface.triangles(subdivisions))??;
         // One array after the other: there is never twice as much of everything.
         let Mesh { points, normals, parameters, mean_curvature, gauss_curvature, triangles } = mesh;
         let three = |points: Vec<Point>| array(py, [points.len(), 3], coordinates(&points));
@@ -226,23 +249,33 @@ impl Surface {
         let format = known.ok_or_else(|| FormatError::new_err(format!("{format}: no such format")))?;
         let to = Destination::named(&path)
             .map_err(|error| io::Error::new(error.kind(), format!("{}: {error}", path.display())))?;
-        let written = watched(py, None, |_| match &self.geometry {
-            Geometry::Complex(complex) => {
-                let mesh =
-                    complex.mesh(subdivisions).map_err(|error| FormatError::new_err(error.to_string()))?;
-                record::export_complex(format, &self.stored.name, (complex, &mesh.mesh), &to)
-                    .map_err(|error| of_export(&error))
-            }
-            Geometry::Tensor(_) | Geometry::Triangle(_) | Geometry::Pieces(_) => {
-                let written = self.stored.export(format, subdivisions, tolerance, &to);
-                written.map_err(|error| of_export(&error))
-            }
-        })?;
-        Ok(written?.map(|form| form.description))
+        let surface = self.found();
+        let written = watched_to_its_end(py, move |_| surface.write(format, subdivisions, tolerance, &to))??;
+        Ok(written.map(|form| form.description))
     }
 }
 
-impl Surface {
+impl Found {
+    fn write(
+        &self,
+        format: Format,
+        subdivisions: usize,
+        tolerance: f64,
+        to: &Destination,
+    ) -> PyResult<Option<SurfaceForm>> {
+        let written = match &self.geometry {
+            Geometry::Complex(complex) => {
+                let mesh =
+                    complex.mesh(subdivisions).map_err(|error| FormatError::new_err(error.to_string()))?;
+                record::export_complex(format, &self.stored.name, (complex, &mesh.mesh), to)
+            }
+            Geometry::Tensor(_) | Geometry::Triangle(_) | Geometry::Pieces(_) => {
+                self.stored.export(format, subdivisions, tolerance, to)
+            }
+        };
+        written.map_err(|error| of_export(&error))
+    }
+
     /// Its mesh, of a complex with the face of every triangle.
     fn triangles(&self, subdivisions: usize) -> PyResult<(Mesh, Option<Vec<u32>>)> {
         let of_complex = |complex: &Complex| {

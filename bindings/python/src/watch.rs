@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use plateau::Progress;
 use pyo3::exceptions::PyRuntimeError;
@@ -15,6 +15,9 @@ use rayon::ThreadPool;
 
 /// How often Python is asked for signals, and told of progress.
 const TICK: Duration = Duration::from_millis(50);
+
+/// How long work that was asked to end is waited for. It looks at its flag after steps, which may take longer.
+const GRACE: Duration = Duration::from_millis(400);
 
 /// How far a computation has come, and whether it should end.
 #[derive(Default)]
@@ -57,34 +60,62 @@ impl Progress for Watch {
 
 /// What `work` gives, computed by threads of its own while this one, which Python's signals arrive at, looks out for them. They
 /// end the work, and are raised. `told`, if given, is called with (what, steps done, of how many) as the work goes on; what it
-/// raises ends the work, too.
-pub(crate) fn watched<T: Send>(
+/// raises ends the work, too. Work that does not end soon is left to end by itself, which is why it owns what it needs: nobody
+/// waits for it, and later work has threads of its own.
+pub(crate) fn watched<T: Send + 'static>(
     py: Python<'_>,
     told: Option<&Py<PyAny>>,
-    work: impl FnOnce(&dyn Progress) -> T + Send,
+    work: impl FnOnce(&dyn Progress) -> T + Send + 'static,
 ) -> PyResult<T> {
-    let pool = pool()?;
-    let watch = Watch::default();
-    py.detach(|| {
-        thread::scope(|scope| {
-            let (ended, ends) = mpsc::channel::<()>();
-            let worker = scope.spawn(|| {
-                let found = pool.install(|| work(&watch));
-                drop(ended);
-                found
-            });
-            let mut raised = None;
-            while ends.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-                if raised.is_none()
-                    && let Err(error) = Python::attach(|py| tick(py, &watch, told))
-                {
-                    watch.cancelled.store(true, Ordering::Relaxed);
-                    raised = Some(error);
+    watched_for(py, told, GRACE, work)
+}
+
+/// As [`watched`], for work that leaves something half done if the process ends before it: it is waited for.
+pub(crate) fn watched_to_its_end<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&dyn Progress) -> T + Send + 'static,
+) -> PyResult<T> {
+    watched_for(py, None, Duration::MAX, work)
+}
+
+fn watched_for<T: Send + 'static>(
+    py: Python<'_>,
+    told: Option<&Py<PyAny>>,
+    grace: Duration,
+    work: impl FnOnce(&dyn Progress) -> T + Send + 'static,
+) -> PyResult<T> {
+    let watch = Arc::new(Watch::default());
+    let (ended, ends) = mpsc::channel::<()>();
+    let worker = {
+        let (pool, watch) = (pool()?, watch.clone());
+        let work = move || {
+            let found = pool.install(|| work(&*watch));
+            drop(ended);
+            found
+        };
+        thread::Builder::new().spawn(work).map_err(|error| no_threads(&error))?
+    };
+    py.detach(move || {
+        let mut raised: Option<(PyErr, Instant)> = None;
+        while ends.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+            match &raised {
+                None => {
+                    if let Err(error) = Python::attach(|py| tick(py, &watch, told)) {
+                        watch.cancelled.store(true, Ordering::Relaxed);
+                        raised = Some((error, Instant::now()));
+                    }
                 }
+                Some((_, since)) if since.elapsed() > grace => {
+                    leave_pool();
+                    break;
+                }
+                Some(_) => {}
             }
-            let found = worker.join().unwrap_or_else(|panic| resume_unwind(panic));
-            raised.map_or(Ok(found), Err)
-        })
+        }
+        match raised {
+            Some((error, _)) => Err(error),
+            None => Ok(worker.join().unwrap_or_else(|panic| resume_unwind(panic))),
+        }
     })
 }
 
@@ -100,15 +131,15 @@ fn tick(py: Python<'_>, watch: &Watch, told: Option<&Py<PyAny>>) -> PyResult<()>
     }
 }
 
-/// The threads that compute: of this process, for those of another do not live on in its forks.
+/// The threads that compute, and the process they belong to: those of another do not live on in its forks.
+static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
 fn pool() -> PyResult<Arc<ThreadPool>> {
-    static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
     let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     match &*pool {
         Some((process, pool)) if *process == process::id() => Ok(pool.clone()),
         Some(_) | None => {
-            let made = rayon::ThreadPoolBuilder::new().build();
-            let made = Arc::new(made.map_err(|error| PyRuntimeError::new_err(error.to_string()))?);
+            let made = Arc::new(rayon::ThreadPoolBuilder::new().build().map_err(|error| no_threads(&error))?);
             if let Some((_, other)) = pool.replace((process::id(), made.clone())) {
                 // To end threads that are not there would wait for ever.
                 std::mem::forget(other);
@@ -116,4 +147,13 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
             Ok(made)
         }
     }
+}
+
+/// Leaves the threads to the work they are at; they end with it.
+fn leave_pool() {
+    drop(POOL.lock().unwrap_or_else(PoisonError::into_inner).take());
+}
+
+fn no_threads(error: &dyn std::fmt::Display) -> PyErr {
+    PyRuntimeError::new_err(format!("the system gives no more threads: {error}"))
 }

@@ -73,6 +73,9 @@ impl Search<'_> {
 
     /// One run and its evaluations; seed and index determine it.
     fn run(&self, pso: &Pso, k: usize) -> Result<(u64, Option<SearchRun>), MethodError> {
+        if self.context.progress.cancelled() {
+            return Ok((0, None));
+        }
         let (polish, seed) = (Polish::default(), self.context.seed);
         let mut run = match self.mode {
             SearchMode::Polish => {
@@ -88,7 +91,7 @@ impl Search<'_> {
                 }
             }
         };
-        if self.mode == SearchMode::PsoPolish {
+        if self.mode == SearchMode::PsoPolish && !self.context.progress.cancelled() {
             let polished = polish.run(self.reduced, self.bounds, &run.shape)?;
             polish_with(&mut run, polished);
         }
