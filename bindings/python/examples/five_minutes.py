@@ -1,7 +1,12 @@
+# ---
+# jupyter:
+#   kernelspec: {display_name: Python 3, language: python, name: python3}
+# ---
+
 # %% [markdown]
 # # Five minutes
-# Curves in, the surface of least area over them out, with figures whose errors are known. Cells as jupytext has them: open the
-# file as a notebook, or run it.
+# Curves in, the surface of least area over them out, with figures whose errors are known. With jupytext this file opens as a
+# notebook; it runs as a script as well.
 
 # %%
 import numpy as np
@@ -16,7 +21,6 @@ import plateau_patches as pp
 u0, u1 = [[-1, -1, 0], [-1, 0, 2], [-1, 1, 0]], [[1, -1, 0], [1, 0, 2], [1, 1, 0]]
 v0, v1 = [[-1, -1, 0], [0, -1, -2], [1, -1, 0]], [[-1, 1, 0], [0, 1, -2], [1, 1, 0]]
 patch = pp.least_area(u0, u1, v0, v1, degree=8)
-print(patch)
 patch
 
 # %% [markdown]
@@ -44,7 +48,7 @@ print(points.shape, mesh.vertices.shape, mesh.faces.shape)
 # %%
 t = np.linspace(0.0, 2.0 * np.pi, 200, endpoint=False)
 loop = np.stack([np.cos(t), np.sin(t), 0.3 * np.cos(3.0 * t)], axis=1)
-film = pp.fill([loop])
+film = pp.fill(loop)
 print(film, f"kink at most {np.degrees(film.kink.max):.3f}°")
 
 # %% [markdown]

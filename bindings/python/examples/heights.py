@@ -1,3 +1,8 @@
+# ---
+# jupyter:
+#   kernelspec: {display_name: Python 3, language: python, name: python3}
+# ---
+
 # %% [markdown]
 # # A study of heights
 # Two opposite corners of a square frame are lifted. How does the least area grow, and how stable is the film?
@@ -12,7 +17,7 @@ import plateau_patches as pp
 # %%
 rows = []
 for height in np.linspace(0.0, 3.0, 7):
-    film = pp.fill([[[0, 0, 0], [1, 0, height], [1, 1, 0], [0, 1, height]]], degree=8)
+    film = pp.fill([[0, 0, 0], [1, 0, height], [1, 1, 0], [0, 1, height]], degree=8)
     rows.append(
         {
             "height": height,
@@ -23,7 +28,7 @@ for height in np.linspace(0.0, 3.0, 7):
         }
     )
 study = pd.DataFrame(rows).set_index("height")
-print(study)
+study
 
 # %% [markdown]
 # A flat frame is a unit square. High up, the film is nearly two triangles, whose edges are as long as the frame is high.
@@ -34,3 +39,4 @@ assert study["area"].is_monotonic_increasing and (study["second variation"] > 0)
 figure, axes = plt.subplots()
 study["area"].plot(ax=axes, marker="o", ylabel="least area", grid=True)
 figure.savefig("heights.png")
+plt.close(figure)

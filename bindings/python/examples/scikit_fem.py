@@ -1,3 +1,8 @@
+# ---
+# jupyter:
+#   kernelspec: {display_name: Python 3, language: python, name: python3}
+# ---
+
 # %% [markdown]
 # # Least area against finite elements
 # Over a square, a film that is a graph z(x, y) minimises ∫√(1 + |∇z|²). scikit-fem minimises it over quadratic triangles by

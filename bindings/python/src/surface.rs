@@ -4,8 +4,8 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use exchange::{Format, SurfaceForm};
-use numpy::{PyArray1, PyArray2, PyArrayDyn, PyReadonlyArray2, ToPyArray};
+use exchange::{Accuracy, Format, Knots, Spline, SurfaceForm};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayDyn, PyReadonlyArray2, ToPyArray};
 use plateau::{Done, Family, MethodResult, Progress, Surface as Geometry};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
@@ -95,6 +95,9 @@ type MeshArrays<'py> = (
     Bound<'py, PyArray2<u32>>,
     Option<Bound<'py, PyArray1<u32>>>,
 );
+
+/// Degree and knots of u and of v, and the control points of a spline.
+type SplineArrays<'py> = ((usize, Vec<f64>), (usize, Vec<f64>), Bound<'py, PyArray3<f64>>);
 
 /// Normals, mean and Gauss curvature.
 type Curvatures<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
@@ -236,6 +239,27 @@ impl Surface {
         Ok((vertices, normals, parameters, mean, gauss, corners, faces.map(|faces| faces.to_pyarray(py))))
     }
 
+    /// The B-splines that are its patches, and how far they are from them, if they are not these: (degree, knots) in u and in v,
+    /// control points.
+    fn splines<'py>(
+        &self,
+        py: Python<'py>,
+        tolerance: f64,
+    ) -> PyResult<(Vec<SplineArrays<'py>>, Option<f64>)> {
+        let surface = self.found();
+        let (splines, accuracy) = watched(py, None, move |_| surface.splines(tolerance))??;
+        let arrays = |spline: &Spline| {
+            let [u, v] = spline.knots().map(|knots| (knots.degree(), knots.repeated()));
+            let counts = spline.knots().map(Knots::count);
+            Ok((u, v, array(py, [counts[0], counts[1], 3], coordinates(spline.points()))?))
+        };
+        let deviation = match accuracy {
+            Accuracy::Exact => None,
+            Accuracy::Fitted { deviation, .. } => Some(deviation),
+        };
+        Ok((splines.iter().map(arrays).collect::<PyResult<_>>()?, deviation))
+    }
+
     /// Writes the surface as a file. What the file holds, where that takes saying.
     fn write(
         &self,
@@ -256,6 +280,23 @@ impl Surface {
 }
 
 impl Found {
+    /// A spline for every face.
+    fn splines(&self, tolerance: f64) -> PyResult<(Vec<Spline>, Accuracy)> {
+        let of = |geometry: &Geometry| {
+            Spline::of(geometry, self.family, tolerance)
+                .map_err(|error| FormatError::new_err(error.to_string()))
+        };
+        let Geometry::Complex(complex) = &self.geometry else {
+            let (spline, accuracy) = of(&self.geometry)?;
+            return Ok((vec![spline], accuracy));
+        };
+        let face = |face| {
+            let patch = complex.patch(face).map_err(|error| MethodError::new_err(error.to_string()))?;
+            of(&Geometry::Tensor(patch)).map(|(spline, _)| spline)
+        };
+        Ok(((0..complex.faces().len()).map(face).collect::<PyResult<_>>()?, Accuracy::Exact))
+    }
+
     fn write(
         &self,
         format: Format,

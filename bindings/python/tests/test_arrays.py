@@ -59,6 +59,8 @@ def test_wrong_arrays_are_named(sides: dict[str, np.ndarray], change: object, se
     ("arguments", "sentence"),
     [
         ({"degree": 1}, "degree 1 is not offered; give one from 2"),
+        ({"degree": 6.5}, "degree is 6.5; a whole number is expected"),
+        ({"degree": "6"}, "degree is '6'; a finite number is expected"),
         ({"degree": 65}, "degree 65 is not offered"),
         ({"tolerance": 1.0}, "tolerance"),
     ],
@@ -74,7 +76,9 @@ def test_wrong_options_are_named(
     ("loops", "sentence"),
     [
         ([], "no loop"),
-        ([[[0, 0, 0], [1, 0, 0]]], "at least 3"),
+        (3, "a list of loops, not 3"),
+        ([[[0, 0, 0], [1, 0, 0]]], r"at least 3. A loop of sides is a list in the list"),
+        (np.zeros((4, 2)), r"loops\[0\] has shape \(4, 2\)"),
         ([[[0, 0, 0], [1, 0, 0], [np.nan, 1, 0]]], r"loops\[0\]\[2\] is not finite"),
         ([[[[0, 0, 0], [1, 0, 0]], [[1, 0], [0, 0]]]], r"loops\[0\]\[1\] has shape"),
         ([[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [0.5, 1, 0]], [[0.5, 1, 0], [0, 0.5, 0]]]], "gap|apart|meet|open"),
@@ -93,5 +97,40 @@ def test_wrong_parameters_are_named(sides: dict[str, np.ndarray]) -> None:
         patch.evaluate(np.nan, 0.0)
     with pytest.raises(ValueError, match=r"shapes \(2,\) and \(3,\) do not broadcast"):
         patch.evaluate([0.0, 1.0], [0.0, 0.5, 1.0])
-    with pytest.raises(ValueError, match="subdivisions"):
-        patch.mesh(0)
+    for wrong in (0, -1, 2.5, "a", 10**9):
+        with pytest.raises(ValueError, match="subdivisions"):
+            patch.mesh(wrong)  # type: ignore[arg-type]
+
+
+def test_one_loop_may_stand_by_itself() -> None:
+    pandas = pytest.importorskip("pandas")
+    loop = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 1.0, 0.0]])
+    film = pp.fill([loop], degree=4)
+    for same in (loop, loop.tolist(), pandas.DataFrame(loop, columns=list("xyz")), iter([loop])):
+        assert pp.fill(same, degree=np.int64(4)) == film
+    sides = np.stack([[a, b] for a, b in zip(loop, np.roll(loop, -1, axis=0))])
+    assert pp.fill([sides], degree=4.0).area == film.area  # type: ignore[arg-type]
+    # Vertices of faces have any names.
+    ends = {(k, (k + 1) % 4): side for k, side in enumerate(sides)}
+    assert pp.fill(faces=[range(4)], curves=ends, degree=4).area == pytest.approx(film.area, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda sides: pp.gt(*sides, shape=1.0), "shape is 1.0; a list of numbers"),
+        (lambda sides: pp.gt(*sides, shape=(1, 1, 1, np.nan)), "shape is nan; a finite number"),
+        (lambda sides: pp.mask(*sides, alpha="a"), "alpha is 'a'"),
+        (lambda sides: pp.Curve.circle(0, 1, 1), "the centre of the circle is 0; three"),
+        (lambda sides: pp.Curve.circle([0, 0, 0], [0, 0, 1], "1"), "the radius of the circle is '1'"),
+        (lambda sides: pp.Curve.spline(sides[0], [[0]], 2), r"knots of shape \(1, 1\)"),
+        (lambda sides: pp.Curve.spline(sides[0], [0, 1], -2), "degree of a spline -2"),
+        (lambda sides: pp.fill(sides[0], degree=4, weld=np.nan), "weld is nan"),
+        (lambda sides: pp.fill(faces=["abc"], curves=[sides[0]]), "by the vertices at their ends"),
+        (lambda sides: pp.dirichlet(*sides).save("x.obj", n=0), "subdivisions 0"),
+        (lambda sides: pp.dirichlet(*sides).save("x.step", tolerance=-1), "tolerance -1"),
+    ],
+)
+def test_wrong_numbers_are_named(sides: dict[str, np.ndarray], call: object, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        call(list(sides.values()))  # type: ignore[operator]

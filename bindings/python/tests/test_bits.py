@@ -19,19 +19,24 @@ def without_files(record: dict[str, object]) -> dict[str, object]:
     return {**{key: value for key, value in record.items() if key not in SMALL}, "methods": methods}
 
 
-@pytest.mark.parametrize("name", ["gt-5.1", "tri-enneper-n3", "area-saddle", "helicoid", "coons-triangle"])
+@pytest.mark.parametrize("name", ["gt-5.1", "tri-enneper-n3", "gallery/schwarz-d", "gallery/tetrahedron-film", "helicoid", "coons-triangle"])
 def test_an_experiment(name: str, command: Callable[..., str], fixtures: Path, tmp_path: Path) -> None:
     path = fixtures / f"{name}.toml"
     if not path.exists():
         pytest.fail(f"{path} is not there")
     command("run", path, "--out", tmp_path)
-    record = json.loads((tmp_path / name / "result.json").read_text())
+    record = json.loads((tmp_path / path.stem / "result.json").read_text())
     results = pp.run(path)
     assert without_files(results.record) == without_files(record)
     for entry in record["methods"]:
-        net = entry.get("net")
+        surface = results[entry["name"]]
+        net, faces = entry.get("net"), entry.get("faces", [])
         if net is not None and isinstance(net[0], list):
-            assert (results[entry["name"]].net == np.array(net)).all()
+            assert (surface.net == np.array(net)).all()
+        elif net is not None:
+            assert surface.indices is not None and surface.indices.tolist() == [point["index"] for point in net]
+            assert (surface.net == np.array([point["point"] for point in net])).all()
+        assert all((ours == np.array(face["net"])).all() for ours, face in zip(surface.nets, faces))
 
 
 def test_a_filled_loop(command: Callable[..., str], wave: np.ndarray, tmp_path: Path) -> None:

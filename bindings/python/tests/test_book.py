@@ -23,7 +23,7 @@ def test_the_page_of_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fix
         pairs = [*zip((10, 20, 30), a.split()), *zip((11, 21, 31), b.split())]
         lines.append("0\nLINE\n8\n0\n" + "".join(f"{code}\n{x}\n" for code, x in pairs))
     Path("rim.dxf").write_text("0\nSECTION\n2\nENTITIES\n" + "".join(lines) + "0\nENDSEC\n0\nEOF\n")
-    Path("experiment.toml").write_text((fixtures / "area-saddle.toml").read_text().replace("least area, degree 6", "Least area"))
+    Path("experiment.toml").write_text((fixtures / "gallery" / "schwarz-d.toml").read_text())
     names: dict[str, object] = {}
     shown = blocks("docs/python.md")
     assert len(shown) >= 4

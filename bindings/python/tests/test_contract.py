@@ -22,8 +22,8 @@ def test_the_snippet(sides: dict[str, np.ndarray], wave: np.ndarray, fixtures: P
     assert len(film.faces) > 1 and film.kink is not None and 0.0 < film.kink.rms <= film.kink.max < 0.1
     film.save(tmp_path / "x.step")
     assert (tmp_path / "x.step").read_text().startswith("ISO-10303-21;")
-    result = pp.run(fixtures / "area-saddle.toml")
-    assert all(surface.area > 0.0 for surface in result.values())
+    result = pp.run(fixtures / "gallery" / "schwarz-d.toml")
+    assert result["Least area"].area > 0.0
 
 
 def test_figures_are_those_of_the_record(sides: dict[str, np.ndarray]) -> None:
@@ -107,9 +107,9 @@ def test_a_triangle_by_every_way() -> None:
 def test_a_lower_bound_is_below_every_surface(sides: dict[str, np.ndarray]) -> None:
     loop = [sides["v0"], sides["u1"], sides["v1"], sides["u0"]]
     least = pp.least_area(*sides.values(), degree=10)
-    for surface in (pp.fill([loop], degree=8, bound=True), pp.least_area(*sides.values(), degree=8, bound=True)):
+    for surface in (pp.fill([loop], degree=6, bound=True), pp.least_area(*sides.values(), degree=6, bound=True)):
         bound = surface.lower_bound
-        assert bound is not None and bound.value < least.area + least.area_error < bound.value + 1e-4
+        assert bound is not None and bound.value < least.area + least.area_error < bound.value + 1e-3
         assert bound.holds_for == "every surface with this rim"
     assert least.lower_bound is None
     rings = [pp.Curve.circle([0, 0, z], [0, 0, 1], 1.0) for z in (-0.3, 0.3)]
@@ -124,8 +124,10 @@ def test_layers_and_accuracy_are_those_of_the_command() -> None:
     without, layer = pp.fill([sides]), pp.fill([sides], layers=1)
     assert len(layer.faces) > len(without.faces)
     assert abs(layer.area - least) < 1e-10 < without.area - least < 1e-7
-    near = pp.fill([sides], accuracy=3e-9)
-    assert near.area - least < 1e-8
+    # An area that is known in closed form: the degree rises until it is met.
+    square = [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]]
+    low, near = pp.fill(square, degree=2), pp.fill(square, degree=2, accuracy=1e-7)
+    assert near.area - 1.279261571171 < 1.3e-7 < low.area - 1.279261571171
     for wrong in ({"layers": 2}, {"accuracy": 1.0}, {"layers": 1, "energy": "dirichlet"}):
         with pytest.raises(pp.BoundaryError):
             pp.fill([sides], **wrong)

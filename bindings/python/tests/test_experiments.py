@@ -45,6 +45,14 @@ def test_a_refusal_points(tmp_path: Path) -> None:
         pp.run({"title": {1}})
 
 
+def test_experiments_and_functions_end_at_the_same_degree() -> None:
+    for degree in (0, 25):
+        with pytest.raises(pp.ExperimentError, match="between 1 and 24"):
+            pp.run(POLYGON.replace("degree = 6", f"degree = {degree}"))
+        with pytest.raises(pp.BoundaryError, match="from 1 to 24"):
+            pp.fill([[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]], degree=degree)
+
+
 def test_a_method_that_fails_keeps_its_place() -> None:
     # All four sides are one straight line: there is no area.
     line = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]
@@ -59,7 +67,7 @@ def test_a_method_that_fails_keeps_its_place() -> None:
     assert results["Flat"].warnings and "Area" not in [s.name for s in [results["Flat"]]]
     with pytest.raises(pp.MethodError, match="^Area: "):
         _ = results["Area"]
-    with pytest.raises(KeyError):
+    with pytest.raises(KeyError, match="no method 'None'; there are: 'Flat', 'Area'"):
         _ = results["None"]
     with pytest.raises(pp.MethodError):
         pp.least_area(line, line, point, [[2, 0, 0]] * 3)

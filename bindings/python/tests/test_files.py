@@ -121,29 +121,6 @@ def test_faces_share_an_edge_that_is_found() -> None:
         pp.fill(faces=[["a", "b", "c"]], curves={("a", "x"): [[0, 0, 0], [1, 0, 0]]})
 
 
-def test_rhino_reads_and_writes_the_patches(sides: dict[str, np.ndarray], tmp_path: Path) -> None:
-    rhino3dm = pytest.importorskip("rhino3dm")
-    patch = pp.least_area(*sides.values(), degree=5)
-    patch.save(tmp_path / "x.3dm")
-    (item,) = rhino3dm.File3dm.Read(str(tmp_path / "x.3dm")).Objects
-    for u, v in ((0.0, 0.0), (0.3, 0.8), (1.0, 0.5)):
-        point = item.Geometry.PointAt(u, v)
-        assert np.allclose([point.X, point.Y, point.Z], patch.evaluate(u, v), atol=1e-13)
-    with pytest.raises(pp.FormatError, match="STEP"):
-        pp.gt(*sides.values(), shape=(1, 1, 1, 1)).save(tmp_path / "y.3dm")
-    model = rhino3dm.File3dm()
-    for side in sides.values():
-        points = [rhino3dm.Point3d(*row) for row in side]
-        model.Objects.AddCurve(rhino3dm.Curve.CreateControlPointCurve(points, 2))
-    model.Write(str(tmp_path / "frame.3dm"), 7)
-    film = pp.fill(tmp_path / "frame.3dm", degree=5)
-    assert film.area == pytest.approx(patch.area, rel=1e-6)
-    ring = rhino3dm.File3dm()
-    ring.Objects.AddCircle(rhino3dm.Circle(rhino3dm.Point3d(0, 0, 0), 2.0))
-    ring.Write(str(tmp_path / "ring.3dm"), 7)
-    assert pp.fill(tmp_path / "ring.3dm").area == pytest.approx(4.0 * np.pi, rel=1e-5)
-
-
 def test_other_libraries_take_the_mesh(wave: np.ndarray, tmp_path: Path) -> None:
     film = pp.fill([wave], degree=4)
     pytest.importorskip("trimesh")
@@ -153,7 +130,12 @@ def test_other_libraries_take_the_mesh(wave: np.ndarray, tmp_path: Path) -> None
     meshio = pytest.importorskip("meshio")
     film.to_meshio(12).write(tmp_path / "x.vtk", binary=True)
     assert len(meshio.read(tmp_path / "x.vtk").points) == len(mesh.vertices)
+
+
+def test_pyvista_takes_the_mesh(wave: np.ndarray) -> None:
     pytest.importorskip("pyvista")
+    film = pp.fill(wave, degree=4)
+    mesh = film.to_trimesh(12)
     data = film.to_pyvista(12)
     assert data.n_cells == len(mesh.faces) and data.area == pytest.approx(mesh.area)
 
@@ -166,7 +148,7 @@ def test_pictures_pages_and_plots(sides: dict[str, np.ndarray], wave: np.ndarray
         assert page.startswith("<!DOCTYPE html>") and surface.name in page
         page.save(tmp_path / "page.html")
         assert (tmp_path / "page.html").read_text(encoding="utf-8") == page
-        assert "iframe" in page._repr_html_()
+        assert "iframe" in page._repr_html_() and len(repr(page)) < 100
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     axes = pp.fill([wave], degree=4).plot(n=6, cmap="viridis")

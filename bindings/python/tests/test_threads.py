@@ -57,6 +57,25 @@ def test_ctrl_c_ends_the_work() -> None:
     child.send_signal(signal.SIGINT)
     out, err = child.communicate(timeout=60)
     assert "KeyboardInterrupt" in err and "ended by itself" not in out
+    assert child.returncode == -signal.SIGINT or child.returncode == 130
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are sent as POSIX has them")
+def test_work_that_was_left_does_not_hinder_the_next() -> None:
+    # A bound of degree 24 is one step of many seconds, after which nobody asks.
+    code = """
+import os, signal, threading, numpy as np, plateau_patches as pp
+square = [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]]
+threading.Timer(1.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    pp.fill(square, degree=24, bound=True)
+    print("ended by itself")
+except KeyboardInterrupt:
+    print("interrupted", f"{pp.fill(square, degree=6).area:.6f}", flush=True)
+os._exit(0)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    assert done.stdout == "interrupted 1.279262\n"
 
 
 def test_progress_is_told_and_may_end_the_work() -> None:
@@ -87,3 +106,13 @@ def test_forked_processes_compute() -> None:
     expected = [_area(degree) for degree in (3, 4)]
     with multiprocessing.get_context("fork").Pool(2) as pool:
         assert pool.map(_area, (3, 4)) == expected
+
+
+def test_processes_take_and_give_surfaces(wave: np.ndarray) -> None:
+    film = pp.fill(wave, degree=4)
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        assert pool.apply(_same, (film,)) == film
+
+
+def _same(film: pp.Surface) -> pp.Surface:
+    return film

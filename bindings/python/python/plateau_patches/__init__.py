@@ -35,6 +35,12 @@ from .surface import Face, Kink, LowerBound, Surface
 
 __version__ = _version("plateau_patches")
 
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]
+
+
 __all__ = [
     "BoundaryError",
     "Curve",

@@ -43,6 +43,9 @@ class Surface:
     ) -> tuple[
         _Floats, _Floats, _Floats, _Floats, _Floats, npt.NDArray[np.uint32], npt.NDArray[np.uint32] | None
     ]: ...
+    def splines(
+        self, tolerance: float
+    ) -> tuple[list[tuple[tuple[int, list[float]], tuple[int, list[float]], _Floats]], float | None]: ...
     def write(
         self, path: PathLike[str], format: str, subdivisions: int, tolerance: float
     ) -> str | None: ...

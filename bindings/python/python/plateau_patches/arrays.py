@@ -25,6 +25,27 @@ def numbers(value: Any, what: str) -> Floats:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
+def number(value: Any, what: str) -> float:
+    """``value`` as a finite real number."""
+    try:
+        found = float(value)
+    except (TypeError, ValueError):
+        found = float("nan")
+    if isinstance(value, (str, bytes)) or not np.isfinite(found):
+        raise BoundaryError(f"{what} is {value!r}; a finite number is expected")
+    return found
+
+
+def whole(value: Any, what: str, least: int, most: int) -> int:
+    """``value`` as a whole number within its range; 8.0 is 8."""
+    found = number(value, what)
+    if not found.is_integer():
+        raise BoundaryError(f"{what} is {value!r}; a whole number is expected")
+    if not least <= found <= most:
+        raise BoundaryError(f"{what} {value} is not offered; give one from {least} to {most}")
+    return int(found)
+
+
 def points(value: Any, what: str, least: int = 2) -> Floats:
     """``value`` as points of space, shape (n, 3), all finite, at least ``least`` of them."""
     array = numbers(value, what)

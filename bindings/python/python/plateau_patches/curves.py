@@ -11,11 +11,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _engine
-from .arrays import Floats, points
+from .arrays import Floats, number, numbers, points, whole
 from .errors import BoundaryError
 
+# What every 3DM file begins with.
+_RHINO = b"3D Geometry File Format"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Curve:
     """A curve of a boundary. :meth:`polyline`, :meth:`bezier`, :meth:`spline` and :meth:`circle` make one."""
 
@@ -64,14 +67,14 @@ class Curve:
     ) -> Curve:
         """The B-spline of control points (n, 3) and n + ``degree`` + 1 knots, rational if there are ``weights`` (n,)."""
         given = points(points_, name or "the spline")
-        numbers = None if weights is None else [float(w) for w in weights]
-        return Curve("spline", given, degree, [float(k) for k in knots], numbers, name=name)
+        order = whole(degree, "the degree of a spline", 1, 1000)
+        return Curve("spline", given, order, _row(knots, "knots"), None if weights is None else _row(weights, "weights"), name=name)
 
     @staticmethod
     def circle(center: npt.ArrayLike, normal: npt.ArrayLike, radius: float, *, name: str = "") -> Curve:
         """The circle around ``center`` in the plane with a normal of any length."""
-        middle, up = points([center, normal], "the centre and the normal of the circle")
-        length = float(np.linalg.norm(up))
+        middle, up = (_place(place, f"the {what} of the circle") for place, what in ((center, "centre"), (normal, "normal")))
+        length, radius = float(np.linalg.norm(up)), number(radius, "the radius of the circle")
         if not (length > 0.0 and radius > 0.0):
             raise BoundaryError("a circle has a normal that is not zero and a radius above zero")
         up = up / length
@@ -79,6 +82,29 @@ class Curve:
         first /= np.linalg.norm(first)
         rows = np.stack([middle, first, np.cross(up, first)])
         return Curve("arc", rows, 2, radii=(radius, radius), angles=(0.0, 2.0 * np.pi), name=name)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Curve):
+            return NotImplemented
+        mine, theirs = ({**vars(curve), "points": curve.points.tolist()} for curve in (self, other))
+        return mine == theirs
+
+    def __hash__(self) -> int:
+        return hash((self.kind, self.name, self.points.tobytes()))
+
+
+def _row(values: npt.ArrayLike, what: str) -> list[float]:
+    array = numbers(values, what)
+    if array.ndim != 1:
+        raise BoundaryError(f"{what} of shape {array.shape}; a list of numbers is expected")
+    return [float(value) for value in array]
+
+
+def _place(value: npt.ArrayLike, what: str) -> Floats:
+    array = numbers(value, what)
+    if array.shape != (3,) or not np.isfinite(array).all():
+        raise BoundaryError(f"{what} is {np.asarray(value).tolist()}; three finite numbers are expected")
+    return array
 
 
 @dataclass(frozen=True)
@@ -96,21 +122,25 @@ class Curves:
     def __len__(self) -> int:
         return len(self.curves)
 
+    def __getitem__(self, place: int) -> Curve:
+        return self.curves[place]
+
 
 def from_file(path: str | PathLike[str]) -> Curves:
     """The curves of a file: a table of points (CSV and its relatives), lines and free-form curves of OBJ, edges of STEP,
-    entities of DXF; 3DM with the extra ``rhino``. What it is follows from its content. No unit is converted.
+    entities of DXF; curves of 3DM, or the free edges of its surfaces, with the extra ``rhino``. What it is follows from its content. No unit is converted.
 
     Raises:
         BoundaryError: a file of another kind, or one that is broken; with the line where one is at fault.
         OSError: the file system.
     """
     path = Path(fspath(path))
-    if path.suffix.lower() == ".3dm":
+    content = path.read_bytes()
+    if content.startswith(_RHINO):
         from .rhino import load
 
         return load(path)
-    fields, notes = _engine.read_curves(path.read_bytes(), path.name)
+    fields, notes = _engine.read_curves(content, path.name)
     curves = [
         Curve(kind, given, degree, knots, weights, radii, angles, closed, name)
         for name, kind, given, degree, knots, weights, radii, angles, closed in fields

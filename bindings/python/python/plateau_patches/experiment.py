@@ -36,6 +36,8 @@ class Results(Mapping[str, Surface]):
         self._surfaces: dict[str, Surface] = {}
 
     def __getitem__(self, name: str) -> Surface:
+        if name not in self._places:
+            raise KeyError(f"there is no method {name!r}; there are: {', '.join(map(repr, self))}")
         place = self._places[name]
         if name not in self._surfaces:
             entry = self._record["methods"][place]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
@@ -11,10 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _engine
-from .arrays import points
+from .arrays import number, points, whole
 from .curves import Curve, Curves, from_file
 from .errors import BoundaryError
 from .surface import Surface
+
+# The highest degree of patches that share edges, as in experiments.
+_HIGHEST = 24
 
 Told = Callable[[str, int, "int | None"], object]
 
@@ -60,16 +64,16 @@ def fill(
     """The surface of least area in loops, or of the faces of a graph of curves.
 
     Args:
-        loops: one loop, spanned by a disc, or two, spanned by an annulus. A loop is a closed polyline, shape (k, 3), cut at its
-            corners and smooth between them; or a list of its sides: control points (n + 1, 3) of Bézier curves, or
-            :class:`Curve`. Or the curves of a file: its path, or what :func:`from_file` gave; three and more that meet in a
+        loops: one loop, spanned by a disc, or two, spanned by an annulus, as a list. A loop is a closed polyline, shape (k, 3), cut
+            at its corners and smooth between them, which may stand by itself; or a list of its sides: control points (n + 1, 3)
+            of Bézier curves, or :class:`Curve`. Or the curves of a file: its path, or what :func:`from_file` gave; three and more that meet in a
             point make a graph, whose faces are found.
         faces: instead of loops, faces by the names of their vertices, three or more each, in order round. Two that follow one
             another and no curve joins get a free edge, found with the surface.
         curves: for faces, control points (n + 1, 3) by the names of the vertices at the ends.
         vertices: for faces, the places (3,) of vertices that no curve ends in; None where the surface is to find it.
         free: for faces, the names of vertices whose places are only where they start.
-        degree: of every patch, 1 to 64. By default 6, or that of the curves where it is higher.
+        degree: of every patch, 1 to 24. By default 6, or that of the curves where it is higher.
         energy: what is minimised, ``"area"`` or ``"dirichlet"``.
         tolerance: the relative decrease of the area that counts as none.
         rim_tolerance: how far the rim may pass from samples, a length; by default a ten-thousandth of the size.
@@ -105,22 +109,24 @@ def fill(
     """
     if energy not in ("area", "dirichlet"):
         raise BoundaryError(f'energy {energy!r} is not offered over loops and faces; give "area" or "dirichlet"')
-    if degree is not None and not 1 <= degree <= 64:
-        raise BoundaryError(f"degree {degree} is not offered; give one from 1 to 64")
-    if not 1e-12 <= tolerance <= 1e-2:
-        raise BoundaryError(f"tolerance {tolerance} is not offered; give one from 1e-12 to 1e-2")
-    if layers not in (0, 1):
-        raise BoundaryError(f"{layers} layers are not offered; give 0 or 1")
-    if accuracy is not None and not 1e-12 <= accuracy <= 1e-2:
-        raise BoundaryError(f"accuracy {accuracy} is not offered; give one from 1e-12 to 1e-2")
+    if degree is not None:
+        degree = whole(degree, "degree", 1, _HIGHEST)
+    layers = whole(layers, "the number of layers", 0, 1)
+    for what, share in (("tolerance", tolerance), ("accuracy", accuracy)):
+        if share is not None and not 1e-12 <= number(share, what) <= 1e-2:
+            raise BoundaryError(f"{what} {share} is not offered; give one from 1e-12 to 1e-2")
+    lengths = {"rim_tolerance": rim_tolerance, "weld": weld, "corner_angle": corner_angle}
+    rim_tolerance, weld, corner_angle = (None if x is None else number(x, what) for what, x in lengths.items())
     if energy != "area" and (layers or accuracy is not None):
         raise BoundaryError('layers and accuracy are for energy "area"')
-    called = name or ("Least area" if energy == "area" else "Dirichlet")
-    options = Options(called, degree, energy, tolerance, rim_tolerance, weld, corner_angle, bound, layers, accuracy, way, 16)
+    called = str(name) or ("Least area" if energy == "area" else "Dirichlet")
+    options = Options(
+        called, degree, energy, tolerance, rim_tolerance, weld, corner_angle, bool(bound), layers, accuracy, way, 16
+    )
     if (loops is None) == (faces is None):
         raise BoundaryError("give either loops or faces")
     if faces is not None:
-        return Surface(_of_faces(faces, curves or {}, vertices or {}, set(free), options, progress))
+        return Surface(_of_faces(faces, curves or {}, vertices or {}, {str(vertex) for vertex in free}, options, progress))
     if curves is not None or vertices is not None:
         raise BoundaryError("curves and vertices belong to faces; loops are given by themselves")
     if isinstance(loops, (str, PathLike)):
@@ -129,16 +135,32 @@ def fill(
     notes = list(loops.notes) if isinstance(loops, Curves) else []
     all_curves = list(loops) if isinstance(loops, Curves) else _curves(loops)
     handle, more = _engine.fill_loops(all_curves, options, progress)
-    return Surface(handle, warnings=notes + more)
+    return Surface(handle, warnings=notes + [_in_python(note) for note in more])
 
 
-def _curves(loops: Iterable[Any]) -> list[Curve]:
+def _in_python(note: str) -> str:
+    """A sentence that names options of the command, with those of :func:`fill`."""
+    return re.sub(r"--(weld|corner-angle) (\S+?)(?=[\s);,]|$)", lambda m: f"{m[1].replace('-', '_')}={m[2]}", note)
+
+
+def _curves(loops: Any) -> list[Curve]:
     found = []
+    if _is_one(loops):
+        loops = [loops]
+    try:
+        loops = list(loops)
+    except TypeError:
+        raise BoundaryError(f"loops are a list of loops, not {loops!r}") from None
     for k, loop in enumerate(loops):
         if isinstance(loop, Curve):
             found.append(loop)
         elif _is_polyline(loop):
-            found.append(Curve.polyline(points(loop, f"loops[{k}]", least=3), closed=True))
+            polyline = points(loop, f"loops[{k}]")
+            if len(polyline) < 3:
+                raise BoundaryError(
+                    f"loops[{k}] has {len(polyline)} points; a loop has at least 3. A loop of sides is a list in the list: [[side, side, …]]"
+                )
+            found.append(Curve.polyline(polyline, closed=True))
         else:
             found.extend(_side(side, f"loops[{k}][{s}]") for s, side in enumerate(loop))
     if not found:
@@ -148,6 +170,15 @@ def _curves(loops: Iterable[Any]) -> list[Curve]:
 
 def _side(side: Any, what: str) -> Curve:
     return side if isinstance(side, Curve) else Curve.bezier(points(side, what))
+
+
+def _is_one(loops: Any) -> bool:
+    """Whether it is one polyline: rows of numbers."""
+    try:
+        array = np.asarray(loops)
+    except ValueError:
+        return False
+    return array.ndim == 2 and array.dtype.kind in "fiu"
 
 
 def _is_polyline(loop: Any) -> bool:
@@ -165,15 +196,18 @@ def _of_faces(
     options: Options,
     progress: Told | None,
 ) -> _engine.Surface:
-    all_faces = [list(face) for face in faces]
+    if not isinstance(curves, Mapping) or not all(isinstance(ends, (tuple, str)) and len(ends) == 2 for ends in curves):
+        raise BoundaryError('curves are given by the vertices at their ends, as in {("a", "b"): [[0, 0, 0], [1, 0, 0]]}')
+    # Any names will do, as in the numbers of the rows of an array.
+    all_faces = [[str(vertex) for vertex in face] for face in faces]
     places: dict[str, tuple[float, float, float] | None] = {}
     for vertex in (vertex for face in all_faces for vertex in face):
         places.setdefault(vertex, None)
     for vertex, place in vertices.items():
         if place is not None:
             (row,) = points([place], f"vertices[{vertex!r}]", least=1)
-            places[vertex] = (float(row[0]), float(row[1]), float(row[2]))
-    between = [(a, b, points(side, f"curves[{a!r}, {b!r}]")) for (a, b), side in curves.items()]
+            places[str(vertex)] = (float(row[0]), float(row[1]), float(row[2]))
+    between = [(str(a), str(b), points(side, f"curves[{a!r}, {b!r}]")) for (a, b), side in curves.items()]
     # A vertex at the end of a curve lies there, whatever it is given as.
     given = [(vertex, place, place is not None and vertex not in free) for vertex, place in places.items()]
     return _engine.fill_faces(given, between, all_faces, options, progress)

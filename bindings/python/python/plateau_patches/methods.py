@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy.typing as npt
 
-from .arrays import points
+from .arrays import number, points, whole
 from .errors import BoundaryError, MethodError
 from .experiment import run
 from .surface import Surface
@@ -37,7 +37,7 @@ def least_area(
     Args:
         u0, u1: control points of the sides u = 0 and u = 1, shape (n + 1, 3), in the sense of v.
         v0, v1: control points of the sides v = 0 and v = 1, shape (m + 1, 3), in the sense of u. The corners stand in two sides.
-        degree: of the patch, 64 at most: the larger of its two degrees. By default that of the sides; a higher one has less
+        degree: of the patch, 32 at most: the larger of its two degrees. By default that of the sides; a higher one has less
             area, nearer to the least of all surfaces.
         tolerance: the relative decrease of the area that counts as none while points move along the surface.
         bound: whether a lower bound of the least area is proved, too: :attr:`Surface.lower_bound`.
@@ -67,7 +67,8 @@ def dirichlet(
     degree: int | None = None,
     metric_steps: int | None = None,
 ) -> Surface:
-    """The tensor Bézier patch of least Dirichlet energy ½∫(E + G) over four sides, as in :func:`least_area`.
+    """The tensor Bézier patch of least Dirichlet energy ½∫(E + G) over four sides, as in :func:`least_area`, of degree 64 at
+    most.
 
     Args:
         metric_steps: steps of the metric correction afterwards, each the extremal in the metric of the surface before.
@@ -87,7 +88,7 @@ def extremal(
 ) -> Surface:
     """The tensor Bézier patch that minimises ``energy`` over four sides, as in :func:`least_area`: ``"dirichlet"``,
     ``"laplacian"`` ∫‖x_uu + x_vv‖², ``"bending"`` ∫‖x_uu‖² + 2‖x_uv‖² + ‖x_vv‖², ``"coons"`` ∫‖x_uv‖², ``"area"``."""
-    return _solved(_sides(u0, u1, v0, v1), {"name": energy.capitalize(), "energy": energy}, degree)
+    return _solved(_sides(u0, u1, v0, v1), {"name": str(energy).capitalize(), "energy": str(energy)}, degree)
 
 
 def mask(
@@ -101,7 +102,7 @@ def mask(
 ) -> Surface:
     """The tensor Bézier patch whose free control points are α times the four at their corners and β times the four beside
     them, 4α + 4β = 1; −1/4 is the discrete Coons patch's."""
-    return _solved(_sides(u0, u1, v0, v1), {"name": "Mask", "mask": float(alpha)}, degree)
+    return _solved(_sides(u0, u1, v0, v1), {"name": "Mask", "mask": number(alpha, "alpha")}, degree)
 
 
 def discrete_coons(
@@ -125,7 +126,8 @@ def harmonic(
     sides = _sides_of(boundary)
     if len(sides) == 2:
         across = "u-degree" if "u0" in sides else "v-degree"
-        sides[across] = degree or len(next(iter(sides.values()))) - 1
+        of_sides = len(next(iter(sides.values()))) - 1
+        sides[across] = of_sides if degree is None else whole(degree, "degree", 1, 64)
     elif degree is not None:
         raise BoundaryError("four sides have their degrees: leave out degree")
     return _solved(sides, {"name": "Harmonic", "construction": "harmonic"}, None)
@@ -144,8 +146,16 @@ def gt(
     search_energy: str | None = None,
     degree: int | None = None,
     seed: int = 0,
+    variant: str | None = None,
+    particles: int | None = None,
+    iterations: int | None = None,
+    runs: int | None = None,
+    inertia: float | None = None,
+    social: float | None = None,
+    cognitive: float | None = None,
+    box: tuple[float, float] | None = None,
+    neighbours: int | None = None,
     progress: Told | None = None,
-    **swarm: Any,
 ) -> Surface:
     """The patch of generalized trigonometric functions with shape parameters (α1, α2; β1, β2) that minimises ``energy``.
 
@@ -158,8 +168,11 @@ def gt(
         patch: ``"tensor"``, or ``"tb-coons"``, the Bernstein–GT Coons blend.
         search_energy: what the search minimises, if not ``energy``.
         seed: of the search; the same seed gives the same bits, on any number of threads.
-        swarm: keys of ``[search]``: ``variant``, ``particles``, ``iterations``, ``runs``, ``inertia``, ``social``, ``cognitive``,
-            ``box``, ``neighbours``.
+        variant: of the swarm, ``"global"`` or ``"local"``, where each particle is informed by ``neighbours`` on each side.
+        particles, iterations, runs: how many, each run from a start of its own.
+        inertia, social, cognitive: what the velocity keeps of itself, and the pulls of the best of all and of its own.
+        box: the least and the largest value of every parameter that is searched.
+        progress: called with (what is done, steps, of how many) a few times a second.
 
     >>> import plateau_patches as pp
     >>> u0, u1 = [[0, 0, 0], [2, 0, 2], [4, 0, -2], [6, 0, 0]], [[0, 6, 0], [2, 6, 2], [4, 6, -2], [6, 6, 0]]
@@ -174,9 +187,21 @@ def gt(
     if patch != "tensor":
         method = {"name": "TB-Coons", "patch": patch, "energy": energy, "search-energy": search_energy}
     if shape is not None:
-        method["shape"] = [float(parameter) for parameter in shape]
+        method["shape"] = _numbers(shape, "shape")
     else:
         method["search"] = True if search is None else search
+    swarm = {
+        "variant": variant,
+        "particles": particles,
+        "iterations": iterations,
+        "runs": runs,
+        "inertia": inertia,
+        "social": social,
+        "cognitive": cognitive,
+        "box": box,
+        "neighbours": neighbours,
+    }
+    swarm = {key: value for key, value in swarm.items() if value is not None}
     more = {"seed": seed, "search": swarm} if swarm else {"seed": seed}
     return _solved(_sides(u0, u1, v0, v1), method, degree, more, progress)
 
@@ -202,7 +227,7 @@ def triangle(
         energy: what the interior minimises, as in :func:`extremal`; ``"area"`` by default.
         mask: instead, a corner weight, ``"dirichlet"`` or ``"coons"``.
         construction: instead, ``"discrete-coons"``, which raises the degree by one.
-        degree: of the patch; by default that of the sides.
+        degree: of the patch, 18 at most for the least area; by default that of the sides.
         metric_steps, tolerance: as in :func:`dirichlet` and :func:`least_area`.
         domain: the plane triangle over which a quadratic energy is taken, ``"right"`` or ``"equilateral"``.
 
@@ -250,7 +275,7 @@ def deformation(
 
 def trapezium_helicoid(span: float, gamma: Sequence[float], beta: Sequence[float]) -> Surface:
     """The right helicoid (w cos v, w sin v, v) over the trapezium 0 ≤ v ≤ span, γ0 + β0 v ≤ w ≤ γ1 + β1 v, exact."""
-    table = {"span": float(span), "gamma": [float(x) for x in gamma], "beta": [float(x) for x in beta]}
+    table = {"span": float(span), "gamma": _numbers(gamma, "gamma"), "beta": _numbers(beta, "beta")}
     return _first(run({"title": "Trapezium helicoid", "trapezium-helicoid": table}))
 
 
@@ -260,6 +285,13 @@ def _sides(u0: npt.ArrayLike, u1: npt.ArrayLike, v0: npt.ArrayLike, v1: npt.Arra
 
 def _sides_of(sides: Mapping[str, npt.ArrayLike]) -> dict[str, Any]:
     return {name: points(side, name) for name, side in sides.items()}
+
+
+def _numbers(values: Any, what: str) -> list[float]:
+    try:
+        return [number(value, what) for value in values]
+    except TypeError:
+        raise BoundaryError(f"{what} is {values!r}; a list of numbers is expected") from None
 
 
 def _solved(
@@ -272,7 +304,8 @@ def _solved(
     method = {key: value for key, value in method.items() if value is not None}
     if degree is not None:
         given = max(len(side) - 1 for side in boundary.values())
-        if not given <= degree <= 64:
+        degree = whole(degree, "degree", 1, 64)
+        if degree < given:
             raise BoundaryError(f"degree {degree} is not offered; give one from {given}, that of the sides, to 64")
         if degree > given:
             method["raise"] = degree - given

@@ -5,6 +5,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from .errors import BoundaryError
+
 if TYPE_CHECKING:
     from .surface import Surface
 
@@ -17,6 +19,8 @@ def plot(surface: Surface, ax: Any, n: int, options: dict[str, Any]) -> Any:
         except ImportError:
             return _by_pyvista(surface, n, options)
         ax = pyplot.figure().add_subplot(projection="3d")
+    if not hasattr(ax, "plot_trisurf"):
+        raise BoundaryError('the axes are those of a plane: make them with projection="3d"')
     mesh = surface.mesh(n)
     x, y, z = mesh.vertices.T
     ax.plot_trisurf(x, y, z, triangles=mesh.faces, **{"linewidth": 0.1, **options})

@@ -16,5 +16,8 @@ class Report(str):
         """Writes the page."""
         Path(path).write_text(self, encoding="utf-8")
 
+    def __repr__(self) -> str:
+        return f"<Report: {len(self)} characters of HTML; save(path) writes them>"
+
     def _repr_html_(self) -> str:
         return f'<iframe srcdoc="{html.escape(self)}" width="100%" height="640" style="border:0"></iframe>'

@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 import importlib
+import os
+from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .arrays import Floats
 from .curves import Curve, Curves
-from .errors import BoundaryError, FormatError
+from .errors import BoundaryError
 
 if TYPE_CHECKING:
     from .surface import Surface
+
+# Share of their size within which edges of surfaces are the same.
+_SAME = 1e-6
+
+# Blocks in blocks that are looked into.
+_DEPTH = 32
 
 
 def _rhino() -> Any:
@@ -23,61 +33,154 @@ def _rhino() -> Any:
 
 
 def load(path: Path) -> Curves:
-    """The curves of a 3DM file, as its splines have them."""
+    """The curves of a 3DM file that can be seen in it: lines, polylines, arcs, circles, splines, those of blocks in their places;
+    where there are none, the free edges of its surfaces."""
     rhino = _rhino()
-    if not path.exists():
-        raise FileNotFoundError(f"{path}: no such file")
     model = rhino.File3dm.Read(str(path))
     if model is None:
-        raise BoundaryError(f"{path.name}: is no 3DM file that rhino3dm reads")
-    curves, other = [], 0
-    for item in model.Objects:
-        geometry, name = item.Geometry, item.Attributes.Name or ""
-        if not isinstance(geometry, rhino.Curve):
-            other += 1
-            continue
-        curves.append(_curve(rhino, geometry, name))
+        raise BoundaryError(f"{path.name}: rhino3dm cannot read this 3DM file")
+    items = [item for item in model.Objects if not item.Attributes.IsInstanceDefinitionObject]
+    unseen = {layer.Index for layer in model.Layers if not layer.Visible}
+    visible = [i for i in items if i.Attributes.Visible and i.Attributes.LayerIndex not in unseen]
+    found, hidden = list(_placed(rhino, model, visible)), len(items) - len(visible)
+    curves = [part for geometry, name in found for part in _curves(rhino, geometry, name)]
+    other = sum(not isinstance(geometry, rhino.Curve) for geometry, _ in found)
+    notes = [f"{path.name}: objects that are hidden, {hidden} of them, were passed over"] if hidden else []
+    if curves and other:
+        notes.append(f"{path.name}: objects that are no curves, {other} of them, were passed over")
     if not curves:
-        raise BoundaryError(f"{path.name}: holds no curves, but {other} other objects")
-    notes = [f"{path.name}: {other} objects that are no curves were passed over"] if other else []
+        curves = _free_edges(rhino, found)
+        notes.append(f"{path.name}: it holds no curves; these are the free edges of its surfaces")
+    if not curves:
+        raise BoundaryError(
+            f"{path.name}: it holds no curves and no surfaces with free edges: {other} other objects, and {hidden} that are hidden"
+        )
     return Curves(curves, notes)
 
 
-def _curve(rhino: Any, geometry: Any, name: str) -> Curve:
-    if isinstance(geometry, rhino.PolylineCurve):
+def _placed(rhino: Any, model: Any, items: list[Any]) -> Iterator[tuple[Any, str]]:
+    """What the items are, with their names; of blocks their parts, where they stand."""
+    parts = {str(item.Attributes.Id): item for item in model.Objects}
+
+    def opened(geometry: Any, name: str, depth: int) -> Iterator[tuple[Any, str]]:
+        if not isinstance(geometry, rhino.InstanceReference):
+            yield geometry, name
+            return
+        block = model.InstanceDefinitions.FindId(geometry.ParentIdefId)
+        if block is None or depth == 0:
+            return
+        for part in (parts.get(str(key)) for key in block.GetObjectIds()):
+            if part is None:
+                continue
+            for inner, called in opened(part.Geometry, part.Attributes.Name or name, depth - 1):
+                placed = inner.Duplicate()
+                # Circles and arcs are no more where a block is stretched.
+                if isinstance(placed, rhino.Curve):
+                    placed = placed.ToNurbsCurve()
+                placed.Transform(geometry.Xform)
+                yield placed, called
+
+    for item in items:
+        yield from opened(item.Geometry, item.Attributes.Name or "", _DEPTH)
+
+
+def _curves(rhino: Any, geometry: Any, name: str) -> Iterator[Curve]:
+    """A curve of Rhino, one by one where it is several in a row."""
+    if isinstance(geometry, rhino.PolyCurve):
+        for k in range(geometry.SegmentCount):
+            yield from _curves(rhino, geometry.SegmentCurve(k), name)
+    elif isinstance(geometry, rhino.PolylineCurve):
         rows = np.array([[p.X, p.Y, p.Z] for p in (geometry.Point(k) for k in range(geometry.PointCount))])
-        return Curve.polyline(rows, closed=bool(geometry.IsClosed), name=name)
-    spline = geometry.ToNurbsCurve()
-    # Points are (wx, wy, wz, w); Rhino leaves out the first and the last knot.
-    raw = np.array([[p.X, p.Y, p.Z, p.W] for p in (spline.Points[k] for k in range(len(spline.Points)))])
-    inner = [spline.Knots[k] for k in range(len(spline.Knots))]
-    knots = [inner[0], *inner, inner[-1]]
-    rational = bool(spline.IsRational)
-    rows = raw[:, :3] / raw[:, 3:] if rational else raw[:, :3]
-    return Curve.spline(rows, knots, spline.Degree, weights=raw[:, 3] if rational else None, name=name)
+        yield Curve.polyline(rows, closed=bool(geometry.IsClosed), name=name)
+    elif isinstance(geometry, rhino.Curve):
+        spline = geometry.ToNurbsCurve()
+        # Points are (wx, wy, wz, w); Rhino leaves out the first and the last knot.
+        raw = np.array([[p.X, p.Y, p.Z, p.W] for p in (spline.Points[k] for k in range(len(spline.Points)))])
+        inner = [spline.Knots[k] for k in range(len(spline.Knots))]
+        rational = bool(spline.IsRational)
+        rows = raw[:, :3] / raw[:, 3:] if rational else raw[:, :3]
+        knots = [inner[0], *inner, inner[-1]]
+        yield Curve.spline(rows, knots, spline.Degree, weights=raw[:, 3] if rational else None, name=name)
 
 
-def save(surface: Surface, path: Path) -> str:
-    """Writes the patches of a surface, each as one NURBS surface."""
+def _free_edges(rhino: Any, found: list[tuple[Any, str]]) -> list[Curve]:
+    """The edges of surfaces and polysurfaces at which one face ends and no other begins, in whatever object."""
+    edges: list[tuple[Curve, Floats]] = []
+    for geometry, name in found:
+        brep = geometry.ToBrep(False) if isinstance(geometry, rhino.Extrusion) else geometry
+        if isinstance(brep, rhino.Surface):
+            brep = rhino.Brep.CreateFromSurface(brep)
+        if not isinstance(brep, rhino.Brep):
+            continue
+        uses: Counter[int] = Counter()
+        for k in range(len(brep.Faces)):
+            loops = brep.Faces[k].Loops
+            for trims in (loops[j].Trims for j in range(len(loops))):
+                uses.update(trims[i].EdgeIndex for i in range(len(trims)))
+        for number, count in uses.items():
+            # Sides that are one point have no edge; an edge of two faces, or a seam, is used twice.
+            if number >= 0 and count == 1:
+                edge = brep.Edges[number]
+                span = edge.Domain
+                at = (edge.PointAt(span.T0 + share * (span.T1 - span.T0)) for share in (0.0, 0.25, 0.5, 0.75, 1.0))
+                places = np.array([[p.X, p.Y, p.Z] for p in at])
+                edges.extend((curve, places) for curve in _curves(rhino, edge, name))
+    if not edges:
+        return []
+    whole = np.concatenate([places for _, places in edges])
+    near = _SAME * float(np.linalg.norm(whole.max(axis=0) - whole.min(axis=0)))
+
+    def same(one: Floats, two: Floats) -> bool:
+        return bool(min(np.abs(one - two).max(), np.abs(one - two[::-1]).max()) <= near)
+
+    return [
+        curve
+        for k, (curve, places) in enumerate(edges)
+        if not any(same(places, other) for j, (_, other) in enumerate(edges) if j != k)
+    ]
+
+
+def save(surface: Surface, path: Path, tolerance: float) -> str:
+    """Writes the patches of a surface as NURBS surfaces, in a group where they are several: edges they share have the same control
+    points, so that Rhino's ``Join`` makes one polysurface of them."""
     rhino = _rhino()
-    patches = surface._record["patch"], surface._record["basis"]
-    if surface.kind not in ("tensor", "complex") or patches[1] != "bernstein":
-        raise FormatError(
-            f"{path}: 3DM is written of tensor Bézier patches; this surface is {surface.kind} in the {patches[1]} basis: "
-            "save it as STEP, which Rhino opens"
-        )
+    splines, deviation = surface._handle.splines(tolerance)
     model = rhino.File3dm()
-    for net in surface.nets:
-        rows, columns = net.shape[:2]
-        nurbs = rhino.NurbsSurface.Create(3, False, rows, columns, rows, columns)
-        for knots, count in ((nurbs.KnotsU, rows), (nurbs.KnotsV, columns)):
-            for k in range(count - 1):
-                knots[k], knots[k + count - 1] = 0.0, 1.0
-        for i in range(rows):
-            for j in range(columns):
-                x, y, z = net[i, j]
-                nurbs.Points[i, j] = rhino.Point4d(x, y, z, 1.0)
-        model.Objects.AddSurface(nurbs)
-    if not model.Write(str(path), 7):
-        raise OSError(f"{path}: rhino3dm could not write it")
-    return f"{len(surface.nets)} NURBS surfaces, the patches themselves"
+    group = None
+    if len(splines) > 1:
+        group = rhino.Group()
+        group.Name = surface.name
+        model.Groups.Add(group)
+        group = model.Groups.FindName(surface.name)
+    for (degree_u, knots_u), (degree_v, knots_v), net in splines:
+        attributes = rhino.ObjectAttributes()
+        attributes.Name = surface.name
+        if group is not None:
+            attributes.AddToGroup(group.Index)
+        model.Objects.Add(_nurbs(rhino, (degree_u, degree_v), (knots_u, knots_v), net), attributes)
+    part = path.with_name(f".{path.name}.part")
+    if path.is_dir():
+        raise IsADirectoryError(f"{path}: is a directory")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        if not model.Write(str(part), 7):
+            raise OSError(f"{path}: rhino3dm could not write it")
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
+    count = "one NURBS surface" if len(splines) == 1 else f"a group of {len(splines)} NURBS surfaces"
+    how = "the patch itself" if len(splines) == 1 else "the patches themselves"
+    return f"{count}, {how if deviation is None else f'no point farther than {deviation:.2e} from the patch'}; in millimetres"
+
+
+def _nurbs(rhino: Any, degrees: tuple[int, int], knots: tuple[list[float], list[float]], net: Floats) -> Any:
+    rows, columns = net.shape[:2]
+    nurbs = rhino.NurbsSurface.Create(3, False, degrees[0] + 1, degrees[1] + 1, rows, columns)
+    for into, values in ((nurbs.KnotsU, knots[0]), (nurbs.KnotsV, knots[1])):
+        for k, knot in enumerate(values[1:-1]):
+            into[k] = knot
+    for i in range(rows):
+        for j in range(columns):
+            x, y, z = net[i, j]
+            nurbs.Points[i, j] = rhino.Point4d(x, y, z, 1.0)
+    return nurbs

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _engine
-from .arrays import Floats, parameters
+from .arrays import Floats, number, parameters, whole
 from .errors import BoundaryError, FormatError
 from .mesh import Mesh
 from .report import Report
@@ -90,7 +90,9 @@ class Face:
         return self._handle.curvatures(self._index, at)[2].reshape(shape)
 
     def __repr__(self) -> str:
-        return f"<Face {self._index} of {', '.join(self.vertices)}>" if self.vertices else "<Face>"
+        points = "×".join(str(count) for count in self.net.shape[:-1])
+        corners = f" of {', '.join(self.vertices)}" if self.vertices else ""
+        return f"<Face {self._index}{corners}: {points} control points>"
 
 
 class Surface:
@@ -248,8 +250,7 @@ class Surface:
 
     def mesh(self, n: int = 48) -> Mesh:
         """A triangle mesh with ``n`` subdivisions of every side of every patch: 2n² triangles a rectangle, n² a triangle."""
-        if not 1 <= n <= 4096:
-            raise BoundaryError(f"a mesh has 1 to 4096 subdivisions, not {n}")
+        n = whole(n, "the number of subdivisions", 1, 4096)
         vertices, normals, at, mean, gauss, faces, patches = self._handle.mesh(n)
         return Mesh(vertices, faces, normals, at, mean, gauss, patches)
 
@@ -285,8 +286,9 @@ class Surface:
         self, path: str | PathLike[str], format: str | None = None, *, n: int | None = None, tolerance: float = 1e-6
     ) -> str | None:
         """Writes the surface in the format of the file's extension, or in ``format``: ``obj``, ``ply``, ``stl``, ``glb``,
-        ``vtu`` (meshes of ``n`` subdivisions a side: 48, or 16 of each of several patches), ``step`` (the surface itself, or within ``tolerance`` of its size), and
-        ``3dm`` with the extra ``rhino``. The file is there whole or not at all.
+        ``vtu`` (meshes of ``n`` subdivisions a side: 48, or 16 of each of several patches), ``step`` and, with the extra ``rhino``,
+        ``3dm`` (the surface itself, or a fit within ``tolerance`` of its size). The file is there whole or not at all; folders
+        that are not there are made.
 
         Returns:
             How the file holds the surface, where that takes saying: by a formula, or with less than all digits.
@@ -296,16 +298,21 @@ class Surface:
             OSError: the file system.
         """
         path = Path(fspath(path))
-        wanted = (format or path.suffix.lstrip(".")).lower()
+        wanted = (format or path.suffix).lstrip(".").lower()
+        if not 0.0 < number(tolerance, "tolerance") < 1.0:
+            raise FormatError(f"tolerance {tolerance} is not offered: it is a share of the size")
+        if n is None:
+            n = 16 if self.kind == "complex" else 48
+        n = whole(n, "the number of subdivisions", 1, 4096)
         if wanted == "3dm":
             from .rhino import save
 
-            return save(self, path)
+            return save(self, path, tolerance)
         known = [*_engine.formats(), "stp", "3dm"]
         if wanted not in known:
             found = f"{wanted!r} is no format of surfaces" if wanted else f"{path} has no extension to tell the format by"
             raise FormatError(f"{found}; give one of {', '.join(known)}")
-        return self._handle.write(path, wanted, n or (16 if self.kind == "complex" else 48), tolerance)
+        return self._handle.write(path, wanted, n, tolerance)
 
     def _page(self) -> tuple[str, list[tuple[str, str, str]]]:
         return _engine.page(self._title, [self._handle], self.warnings, self.experiment)
@@ -345,6 +352,14 @@ class Surface:
         count = len(self.nets)
         patches = self.kind if count == 1 else f"{count} patches"
         return f"<Surface {self.name!r}: {patches}, area {self.area:.9g} ± {self.area_error:.1e}>"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Surface):
+            return NotImplemented
+        return self._handle.record == other._handle.record and self.warnings == other.warnings
+
+    def __hash__(self) -> int:
+        return hash(self._handle.record)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (self._handle.record, self._title, self._about, self.experiment)

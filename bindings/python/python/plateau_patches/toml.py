@@ -52,8 +52,9 @@ def _text(text: str) -> str:
 
 
 def _value(value: object, key: object) -> str:
-    if isinstance(value, (np.ndarray, np.generic)):
-        value = value.tolist()
+    if hasattr(value, "__array__"):
+        # Of NumPy, pandas and their relatives.
+        value = np.asarray(value).tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):

@@ -31,7 +31,7 @@ const SEGMENTS: [usize; 15] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128
 
 /// Why a surface has no spline.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub(crate) enum SplineError {
+pub enum SplineError {
     /// Polynomials of high degree are refused by the programs that read the file.
     #[error(
         "the triangular patch has degree {degree}, and OpenCASCADE reads degrees up to {max}: run the method on a boundary \
@@ -73,16 +73,14 @@ pub(crate) enum SplineError {
 
 /// A tensor product B-spline surface.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Spline {
-    /// In u and in v.
+pub struct Spline {
     pub(crate) knots: [Knots; 2],
-    /// Row by row, with u.
     pub(crate) points: Vec<Point>,
 }
 
 /// The knots of one direction.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Knots {
+pub struct Knots {
     pub(crate) degree: usize,
     /// Ascending.
     pub(crate) values: Vec<f64>,
@@ -90,9 +88,9 @@ pub(crate) struct Knots {
     pub(crate) multiplicities: Vec<usize>,
 }
 
-/// How a spline came about.
+/// How a [`Spline`] came about.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Accuracy {
+pub enum Accuracy {
     /// It is the patch, up to the rounding of its control points.
     Exact,
     /// It is a fit.
@@ -109,11 +107,7 @@ impl Spline {
     ///
     /// # Errors
     /// [`SplineError`].
-    pub(crate) fn of(
-        surface: &Surface,
-        family: Family,
-        tolerance: f64,
-    ) -> Result<(Self, Accuracy), SplineError> {
+    pub fn of(surface: &Surface, family: Family, tolerance: f64) -> Result<(Self, Accuracy), SplineError> {
         match surface {
             Surface::Tensor(patch) if family == Family::Bernstein && exact_degrees(patch) => {
                 Ok((Self::bernstein(patch), Accuracy::Exact))
@@ -134,6 +128,16 @@ impl Spline {
             Surface::Triangle(patch) => Ok((Self::triangle(patch)?, Accuracy::Exact)),
             Surface::Complex(_) => Err(SplineError::Faces),
         }
+    }
+
+    /// The knots of u and of v.
+    pub fn knots(&self) -> [&Knots; 2] {
+        [&self.knots[0], &self.knots[1]]
+    }
+
+    /// The control points, row by row, with u; as many in a row as `v` has functions.
+    pub fn points(&self) -> &[Point] {
+        &self.points
     }
 
     fn bernstein(patch: &TensorPatch) -> Self {
@@ -196,8 +200,19 @@ impl Knots {
         Self { degree: 5, values, multiplicities }
     }
 
+    /// The degree of the functions.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// All knots, each as often as it is repeated.
+    pub fn repeated(&self) -> Vec<f64> {
+        let knots = self.values.iter().zip(&self.multiplicities);
+        knots.flat_map(|(&value, &times)| std::iter::repeat_n(value, times)).collect()
+    }
+
     /// Number of functions.
-    pub(crate) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.multiplicities.iter().sum::<usize>() - self.degree - 1
     }
 
