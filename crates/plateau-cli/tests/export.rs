@@ -362,7 +362,17 @@ fn what_is_wrong_with_a_result_is_named() {
         ),
         (bernstein("[[[0,0,0],[0,1,0]],[[1,0,0]]]"), "`methods[0].net[1]`: has 1 points, the first row 2"),
         (bernstein("[[[0,0,0]]]"), "`methods[0].net`: has 1 x 1 points"),
-        (bernstein("[[[0,0],[0,1]]]"), "`methods[0].net`: invalid length 2"),
+        (bernstein("[[[0,0],[0,1]]]"), "`methods[0].net[0][0]`: invalid length 2"),
+        (
+            bernstein("[[[0,0,0],[0,\"x\",1]]]"),
+            "`methods[0].net[0][1][1]`: invalid type: string \"x\", expected f64",
+        ),
+        (bernstein("[3]"), "`methods[0].net[0]`: invalid type: integer `3`, expected a row of points"),
+        (
+            bernstein("[{\"index\": [1,0,0], \"point\": [0,0,0]}]"),
+            "`methods[0].net[0]`: is a point with its index",
+        ),
+        (record("7"), "`methods[0]`: invalid type: integer `7`"),
         (bernstein("[[[0,0,1e999]]]"), "number out of range"),
         (bernstein(square).replace("bernstein", "gt"), "`methods[0].shape` is missing"),
         (bernstein(square).replace("bernstein", "aht"), "`methods[0].domain` is missing"),

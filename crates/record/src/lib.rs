@@ -29,6 +29,7 @@ mod result;
 mod result_reader;
 mod result_size;
 mod schema;
+mod stored;
 mod verification;
 
 pub use atomic::Claim;
@@ -41,6 +42,7 @@ pub use folder::{REPORT_FILE, RESULT_FILE, folder, folder_key, folder_of};
 pub use manifest::{Manifest, Origin};
 pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};
 pub use result::{ResultFile, method_record};
-pub use result_reader::{ReadError, StoredMethod, StoredResult, own_contents};
+pub use result_reader::{ReadError, own_contents};
 pub use schema::SCHEMA;
+pub use stored::{StoredMethod, StoredResult};
 pub use verification::{Difference, Level, Verification, Verified, VerifyError, verify};

@@ -9,7 +9,9 @@ use plateau::MethodResult;
 
 mod curve;
 mod extremal;
+mod faces;
 mod file;
+mod head;
 mod method;
 mod minimised;
 mod net;
@@ -17,11 +19,16 @@ mod number;
 mod pieces;
 mod proof;
 mod search;
+mod surface;
+mod unfit;
 
 use curve::CurveEntry;
 use file::FileEntry;
+pub(crate) use head::Head;
 use method::MethodEntry;
 use number::finite;
+pub(crate) use surface::SurfaceEntry;
+pub(crate) use unfit::Unfit;
 
 /// The whole file. Numbers are written with all their digits; keys without a meaning are left out, and no number
 /// that is not finite ever appears.
@@ -85,23 +92,19 @@ impl ResultFile {
         }
     }
 
-    /// Records a file written for method `k`, or for the experiment as a whole.
+    /// Records a file written for method `k` of the record, or for the experiment as a whole.
     pub(crate) fn add_file(&mut self, k: Option<usize>, file: String, form: Option<SurfaceForm>) {
         let (deviation, description) = form.map_or((None, None), |f| (f.deviation, Some(f.description)));
         let entry = FileEntry { file, deviation, description };
-        match k.map(|k| self.methods.get_mut(k)) {
+        match k {
             None => self.files.push(entry),
-            Some(Some(MethodEntry::Done(method))) => method.files.push(entry),
-            Some(_) => {}
+            Some(k) => self.methods[k].files.push(entry),
         }
     }
 
     /// The files written beside the record.
     pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
-        let of_methods = self.methods.iter().flat_map(|method| match method {
-            MethodEntry::Done(method) => method.files.as_slice(),
-            MethodEntry::Failed { .. } => &[],
-        });
+        let of_methods = self.methods.iter().flat_map(|method| &method.files);
         of_methods.chain(&self.files).map(|entry| entry.file.as_str())
     }
 
@@ -169,11 +172,11 @@ mod tests {
             "faces": [{ "vertices": ["a", "b", "c", "d"], "net": [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.1]], [[0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]] }],
         });
         let entry: MethodEntry = serde_json::from_value(method.clone()).unwrap();
-        assert!(matches!(&entry, MethodEntry::Done(done) if done.faces.is_some() && done.kink.is_some()));
+        assert!(entry.surface.faces.is_some() && entry.kink.is_some());
         assert_eq!(serde_json::to_value(&entry).unwrap(), method);
         let failed = serde_json::json!({ "name": "x", "error": "y" });
         let entry: MethodEntry = serde_json::from_value(failed.clone()).unwrap();
-        assert!(matches!(&entry, MethodEntry::Failed { .. }));
+        assert_eq!(entry.head.error.as_deref(), Some("y"));
         assert_eq!(serde_json::to_value(&entry).unwrap(), failed);
     }
 }

@@ -1,30 +1,21 @@
 //! What `result.json` says of a method.
 
-use plateau::{Done, MethodResult, Quantity, Surface};
+use plateau::{Done, MethodResult, Quantity};
 use serde::{Deserialize, Serialize};
-use surfaces::{Complex, Face, TriangleNet};
 
 use super::extremal::AreaEntry;
 use super::file::FileEntry;
+use super::head::Head;
 use super::minimised::Minimised;
-use super::net::rows;
 use super::number::finite;
-use super::pieces::{DomainEntry, PieceEntry, piece_entries, single_net};
 use super::proof::ProofEntry;
 use super::search::SearchEntry;
-
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub(super) enum MethodEntry {
-    Failed { name: String, error: String },
-    Done(Box<DoneEntry>),
-}
+use super::surface::SurfaceEntry;
 
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct DoneEntry {
-    name: String,
-    patch: String,
-    basis: String,
+pub(super) struct MethodEntry {
+    #[serde(flatten)]
+    pub(super) head: Head,
     #[serde(skip_serializing_if = "Option::is_none")]
     dirichlet: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -52,20 +43,8 @@ pub(super) struct DoneEntry {
     conformality_gap: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mean_curvature: Option<MeanCurvature>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    shape: Option<Vec<f64>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    net: Option<NetEntry>,
-    /// The patches of a complex, instead of `net`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) faces: Option<Vec<FaceEntry>>,
-    /// The names of the vertices of a complex, in the order of its control points and of its meshes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    vertices: Option<Vec<String>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    domain: Option<DomainEntry>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pieces: Option<Vec<PieceEntry>>,
+    #[serde(flatten)]
+    pub(super) surface: SurfaceEntry,
     #[serde(skip_serializing_if = "Option::is_none")]
     weights: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -116,20 +95,6 @@ pub(super) struct DoneEntry {
     warnings: Vec<String>,
 }
 
-/// `net[i][j]` for rectangular nets, a list of points with their indices for triangular ones.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-enum NetEntry {
-    Rows(Vec<Vec<[f64; 3]>>),
-    Triangle(Vec<IndexedPoint>),
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct IndexedPoint {
-    index: [usize; 3],
-    point: [f64; 3],
-}
-
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct MeanCurvature {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -145,26 +110,10 @@ impl MeanCurvature {
     }
 }
 
-/// One patch of a complex: its vertices by name, in order round it, and its net.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct FaceEntry {
-    vertices: Vec<String>,
-    net: Vec<Vec<[f64; 3]>>,
-}
-
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Kink {
     max: f64,
     rms: f64,
-}
-
-impl MethodEntry {
-    pub(super) fn of(result: &MethodResult) -> Self {
-        match &result.outcome {
-            Ok(done) => Self::Done(Box::new(DoneEntry::of(&result.name, done))),
-            Err(error) => Self::Failed { name: result.name.clone(), error: error.to_string() },
-        }
-    }
 }
 
 /// The value of a figure, if it has one that JSON has.
@@ -177,21 +126,20 @@ fn error(done: &Done, quantity: Quantity) -> Option<f64> {
     quantity.of(done).and_then(|figure| figure.error).and_then(finite)
 }
 
-impl DoneEntry {
-    fn of(name: &str, done: &Done) -> Self {
-        let (patch, basis) = done.solved.family.names();
+impl MethodEntry {
+    /// Of a method that failed, its head alone.
+    pub(super) fn of(result: &MethodResult) -> Self {
+        let head = Head::of(result);
+        let Ok(done) = &result.outcome else { return Self { head, ..Self::default() } };
         let mut entry = Self {
-            name: name.to_owned(),
-            patch: patch.to_owned(),
-            basis: basis.to_owned(),
-            shape: done.solved.shape.clone(),
+            head,
+            surface: SurfaceEntry::of(done),
             weights: done.closed_form.and_then(|form| form.weights),
             search: done.solved.search.as_ref().map(SearchEntry::of),
             warnings: done.warnings.iter().map(ToString::to_string).collect(),
             ..Self::default()
         };
         entry.add_energies(done);
-        entry.add_surface(done);
         entry.add_way(done);
         entry.add_comparisons(done);
         entry
@@ -215,30 +163,6 @@ impl DoneEntry {
             value(done, Quantity::MeanCurvatureMax),
             value(done, Quantity::MeanCurvatureRms),
         );
-    }
-
-    /// What the surface is made of.
-    fn add_surface(&mut self, done: &Done) {
-        let film = done.film.as_ref();
-        self.net = match &done.solved.surface {
-            Surface::Tensor(patch) => Some(NetEntry::Rows(rows(patch.net()))),
-            Surface::Triangle(patch) => Some(NetEntry::Triangle(indexed(patch.net()))),
-            Surface::Pieces(pieces) => single_net(pieces).map(NetEntry::Rows),
-            Surface::Complex(_) => None,
-        };
-        self.faces = match (&done.solved.surface, &done.film) {
-            (Surface::Complex(complex), Some(film)) => Some(faces(complex, &film.names)),
-            (Surface::Complex(_) | Surface::Tensor(_) | Surface::Triangle(_) | Surface::Pieces(_), _) => None,
-        };
-        self.vertices = film.map(|film| film.names.clone());
-        self.domain = match &done.solved.surface {
-            Surface::Pieces(pieces) => Some(DomainEntry::new(pieces)),
-            Surface::Tensor(_) | Surface::Triangle(_) | Surface::Complex(_) => None,
-        };
-        self.pieces = match &done.solved.surface {
-            Surface::Pieces(pieces) => piece_entries(pieces),
-            Surface::Tensor(_) | Surface::Triangle(_) | Surface::Complex(_) => None,
-        };
     }
 
     /// How it was solved for.
@@ -267,21 +191,4 @@ impl DoneEntry {
         self.harmonic_bound_error = error(done, Quantity::HarmonicBound);
         self.deviation = value(done, Quantity::Deviation);
     }
-}
-
-fn faces(complex: &Complex, names: &[String]) -> Vec<FaceEntry> {
-    let count = complex.degree() + 1;
-    let entry = |face: &Face| FaceEntry {
-        vertices: face.vertices().map(|vertex| names[vertex].clone()).to_vec(),
-        net: face
-            .nodes()
-            .chunks_exact(count)
-            .map(|row| row.iter().map(|&k| complex.points()[k].into()).collect())
-            .collect(),
-    };
-    complex.faces().iter().map(entry).collect()
-}
-
-fn indexed(net: &TriangleNet) -> Vec<IndexedPoint> {
-    net.indices().zip(net.points()).map(|(index, &p)| IndexedPoint { index, point: p.into() }).collect()
 }
