@@ -5,7 +5,6 @@ use exchange::{Assembly, AssemblyError, read_curves};
 use crate::Plan;
 
 mod error;
-mod fit;
 mod options;
 mod printed;
 mod sides;

@@ -42,8 +42,8 @@ pub enum MethodError {
     /// The Coons mask determines no net at even degrees from 6.
     #[error(
         "the Coons mask is exactly singular at every even degree from 6, and this net has degree {degree}: some nets that \
-         vanish on the border satisfy it too. Use an odd degree (raise = 1), construction = \"discrete-coons\", or \
-         energy = \"coons\""
+         vanish on the border satisfy it too. Take an odd degree, the net raised by one, or the discrete Coons net, \
+         or the net of least Coons functional"
     )]
     SingularMask {
         /// Degree of the net.
@@ -100,8 +100,8 @@ pub enum MethodError {
     /// The system of a high degree is beyond double precision.
     #[error(
         "at degree {degree} the condition of the dense system of the interior is beyond double precision ({unknowns} unknowns, \
-         pivot {pivot} is not positive): on tensor patches leave out `solver`, which solves every extremal at every degree; \
-         triangular ones take a lower degree, or a mask or construction = \"discrete-coons\", which stay sound"
+         pivot {pivot} is not positive): on tensor patches leave the choice of the solver to the program, whose own solves every extremal at every \
+         degree; triangular ones take a lower degree, or a mask or the discrete Coons net, which stay sound"
     )]
     Degree {
         /// The larger degree of the net.

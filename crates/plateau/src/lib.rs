@@ -47,7 +47,7 @@
 //! | films | [`Film`], [`FilmFace`], [`FillEnergy`], [`Tried`] |
 //! | exact surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`], [`Construction`] |
 //! | nets of one's own | [`OwnNet`], [`NetBasis`], [`OrderSix`], [`of_net()`] |
-//! | curves | [`Curve`], [`CurveBasis`], [`CurveFunction`], [`CurveEnd`], [`CurveResult`] |
+//! | curves | [`Curve`], [`CurveBasis`], [`CurveFunction`], [`CurveEnd`], [`CurveResult`]; [`NearestCurve`], [`NearestCurveError`] |
 
 mod arithmetic;
 mod boundary;
@@ -76,6 +76,7 @@ mod least_area;
 mod lower_bound;
 mod memory;
 mod method;
+mod nearest_curve;
 mod outcome;
 mod own_net;
 mod progress;
@@ -127,6 +128,7 @@ pub use method::{
     Energy, Filling, FixedShape, Functions, MAX_METRIC_STEPS, Method, MethodFault, SolverChoice, TOLERANCES,
     TensorInterior, TriangleInterior,
 };
+pub use nearest_curve::{NearestCurve, NearestCurveError};
 pub use outcome::{MethodResult, Results};
 pub use own_net::{NetBasis, OrderSix, OwnNet, of_net};
 pub use progress::Progress;

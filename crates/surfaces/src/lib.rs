@@ -41,6 +41,7 @@
 //! | exact minimal surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`], [`PlaneConstruction`], [`SpiralEnd`] |
 //! | complexes | [`Complex`], [`Vertex`], [`Edge`], [`EdgeUse`], [`FixedEdge`], [`Face`], [`Side`], [`Orientation`], [`ComplexError`] |
 //! | curves | [`Curve`], [`CurveJet`]; [`BoundaryCurve`]: [`Bezier`], [`Polyline`], [`SplineCurve`], [`Samples`], [`EllipseArc`]; [`CurveFit`], [`Deviation`], [`CurveError`] |
+//! | B-spline surfaces | [`SplineSurface`] of [`Knots`], [`SplineFit`], [`SplineFitError`] |
 //! | errors | [`SurfaceError`] |
 
 mod anchor;
@@ -61,6 +62,7 @@ mod patch;
 mod pieces;
 mod point;
 mod shaped;
+mod spline;
 mod subdivision;
 mod tb_coons;
 mod tensor;
@@ -90,6 +92,7 @@ pub use patch::{Domain, Patch};
 pub use pieces::Pieces;
 pub use point::Point;
 pub use shaped::{ShapeFactor, ShapedFamily, polynomial_bubbles};
+pub use spline::{Knots, SplineFit, SplineFitError, SplineSurface};
 pub use tb_coons::{bernstein_less_blend, end_blend, tb_coons, tb_coons_parts};
 pub use tensor::{Product, TensorPatch};
 pub use trapezium::{PlaneConstruction, SpiralEnd, TrapeziumHelicoid};

@@ -6,9 +6,9 @@
 
 use std::io::{self, Write};
 
-use surfaces::{Complex, Orientation, Point};
+use surfaces::{Complex, Knots, Orientation, Point};
 
-use super::spline::{Knots, LARGEST_DEGREE};
+use super::spline::LARGEST_DEGREE;
 use super::step::{self, Entities, SMALLEST_TOLERANCE, StepError, references};
 
 /// A complex as it goes into the file.

@@ -4,10 +4,10 @@
 
 use std::io::{self, Write};
 
-use surfaces::Point;
+use surfaces::{Knots, Point, SplineSurface};
 use thiserror::Error;
 
-use super::spline::{Accuracy, Knots, LARGEST_DEGREE, Spline, SplineError};
+use super::spline::{Accuracy, LARGEST_DEGREE, SplineError, spline};
 use plateau::{Family, Surface};
 
 /// Share of the size below which points of the border are one point and curves of it one curve.
@@ -56,7 +56,7 @@ pub(crate) enum StepError {
 /// A surface as it goes into the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StepFile {
-    spline: Spline,
+    spline: SplineSurface,
     accuracy: Accuracy,
     size: f64,
 }
@@ -76,8 +76,8 @@ impl StepFile {
     /// # Errors
     /// [`StepError`] if there is no such spline, or none that CAD programs can read.
     pub(crate) fn new(surface: &Surface, family: Family, tolerance: f64) -> Result<Self, StepError> {
-        let (spline, accuracy) = Spline::of(surface, family, tolerance)?;
-        let size = checked_size(&spline.points)?;
+        let (spline, accuracy) = spline(surface, family, tolerance)?;
+        let size = checked_size(&spline.points())?;
         let file = Self { spline, accuracy, size };
         let names = ["its side v = start", "its side u = end", "its side v = end", "its side u = start"];
         for (side, part) in file.sides().iter().zip(names) {
@@ -104,15 +104,15 @@ impl StepFile {
 
     /// What the surface is, for people.
     pub(crate) fn description(&self) -> String {
-        let [u, v] = &self.spline.knots;
-        let degrees = format!("degree ({}, {})", u.degree, v.degree);
+        let [u, v] = &self.spline.knots();
+        let degrees = format!("degree ({}, {})", u.degree(), v.degree());
         match self.accuracy {
             Accuracy::Exact => format!("exact: a polynomial surface of {degrees}"),
             Accuracy::Fitted { deviation, size } => format!(
                 "a B-spline fit of {degrees} in {} x {} segments, twice continuously differentiable: no point farther than \
                  {deviation:.2e} ({:.1e} of the size) from the patch, 1.25 times the largest distance measured",
-                u.values.len() - 1,
-                v.values.len() - 1,
+                u.values().len() - 1,
+                v.values().len() - 1,
                 if size > 0.0 { deviation / size } else { 0.0 },
             ),
         }
@@ -129,7 +129,7 @@ impl StepFile {
     /// The surface, bounded by the four curves of its border. Sides that are one point have no edge; opposite sides that
     /// coincide are one edge, run through twice.
     fn face(&self, title: &str, entities: &mut Entities<'_>) -> io::Result<usize> {
-        let surface = surface(&self.spline.points, &self.spline.knots, entities)?;
+        let surface = surface(&self.spline.points(), &self.spline.knots(), entities)?;
         let corners = self.corners();
         let mut vertices: Vec<(Point, usize)> = Vec::new();
         let mut edges: Vec<(Vec<Point>, usize)> = Vec::new();
@@ -157,7 +157,7 @@ impl StepFile {
             let edge = match edges.iter().find(|(points, _)| twin(points)) {
                 Some((_, edge)) => *edge,
                 None => {
-                    let curve = curve(&side.points, &self.spline.knots[side.knots], entities)?;
+                    let curve = curve(&side.points, &self.spline.knots()[side.knots], entities)?;
                     let [start, end] = ends;
                     entities.add(format_args!("EDGE_CURVE('',#{start},#{end},#{curve},.T.)"))?
                 }
@@ -174,13 +174,13 @@ impl StepFile {
 
     /// (u, v) at (start, start), (end, start), (end, end), (start, end).
     fn corners(&self) -> [Point; 4] {
-        let (points, cols) = (&self.spline.points, self.spline.cols());
+        let (points, cols) = (&self.spline.points(), self.spline.cols());
         [points[0], points[points.len() - cols], points[points.len() - 1], points[cols - 1]]
     }
 
     /// The border, in the sense in which it runs around the face.
     fn sides(&self) -> [Side; 4] {
-        let (points, cols) = (&self.spline.points, self.spline.cols());
+        let (points, cols) = (&self.spline.points(), self.spline.cols());
         let column = |j: usize| points.iter().skip(j).step_by(cols).copied().collect();
         let last = points.len() - cols;
         [
@@ -273,10 +273,10 @@ pub(super) fn curve(points: &[Point], knots: &Knots, entities: &mut Entities<'_>
     let ids: Vec<usize> = points.iter().map(|&p| entities.point(p)).collect::<io::Result<_>>()?;
     entities.add(format_args!(
         "B_SPLINE_CURVE_WITH_KNOTS('',{},({}),.UNSPECIFIED.,.F.,.F.,({}),({}),.UNSPECIFIED.)",
-        knots.degree,
+        knots.degree(),
         references(&ids),
-        list(&knots.multiplicities, usize::to_string),
-        list(&knots.values, |x| real(*x)),
+        list(&knots.multiplicities(), usize::to_string),
+        list(&knots.values(), |x| real(*x)),
     ))
 }
 
@@ -290,13 +290,13 @@ pub(super) fn surface(
     let rows: Vec<String> = ids.chunks(v.count()).map(|row| format!("({})", references(row))).collect();
     entities.add(format_args!(
         "B_SPLINE_SURFACE_WITH_KNOTS('',{},{},({}),.UNSPECIFIED.,.F.,.F.,.F.,({}),({}),({}),({}),.UNSPECIFIED.)",
-        u.degree,
-        v.degree,
+        u.degree(),
+        v.degree(),
         rows.join(",\n"),
-        list(&u.multiplicities, usize::to_string),
-        list(&v.multiplicities, usize::to_string),
-        list(&u.values, |x| real(*x)),
-        list(&v.values, |x| real(*x)),
+        list(&u.multiplicities(), usize::to_string),
+        list(&v.multiplicities(), usize::to_string),
+        list(&u.values(), |x| real(*x)),
+        list(&v.values(), |x| real(*x)),
     ))
 }
 

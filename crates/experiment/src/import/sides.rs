@@ -3,10 +3,9 @@
 use std::fmt::Write;
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Form, Shape};
-use plateau::{DegreeLimit, MAX_DEGREE};
+use plateau::{DegreeLimit, MAX_DEGREE, NearestCurve};
 use surfaces::{Bezier, Point};
 
-use super::fit::Fit;
 use super::{CornerGap, ImportError, ImportOptions, printed};
 
 /// Most points of a side that are taken as control points without a word.
@@ -235,10 +234,10 @@ impl Curve {
             self.points = line.raised(degree).points().to_vec();
             return Ok(());
         }
-        let fit = Fit::new(&samples, degree).map_err(refuse)?;
+        let fit = NearestCurve::new(&samples, degree).map_err(|error| refuse(error.to_string()))?;
         self.comment = Some(format!(
             "fit of degree {degree} to {} samples; farthest {:.2e} ({:.1e} of the size), root mean square {:.2e}{omitted}",
-            fit.samples,
+            samples.len(),
             fit.largest,
             fit.largest / size,
             fit.root_mean_square,
