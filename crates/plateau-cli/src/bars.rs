@@ -9,8 +9,8 @@ use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, P
 use plateau::Progress;
 use show::Printable;
 
-use crate::command::say;
 use crate::interrupt::interrupted;
+use crate::terminal::say;
 
 /// Progress of work that lasts, on stderr: a bar on a terminal, a line now and then elsewhere.
 pub(crate) struct Bars {

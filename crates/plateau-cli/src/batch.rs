@@ -10,18 +10,22 @@ use show::table;
 use sweep::Shard;
 
 use crate::bars::Bars;
-use crate::command::{self, Failure, RunArguments, line, say};
+use crate::command::RunArguments;
+use crate::failure::Failure;
 use crate::interrupt::{interrupted, listen};
 use crate::outcome::Outcome;
 use crate::outlet::{Outlet, room};
+use crate::sources::{distinct_stems, read_sources};
 use crate::sweeps;
+use crate::terminal::{line, say};
+use crate::threads::start_threads;
 
 /// Runs the files; a failure of one experiment loses none of the others, nor does one of stdout.
 pub(crate) fn run(arguments: &RunArguments, stdout: &mut impl Write) -> Result<(), Failure> {
-    let sources = command::read_sources(&arguments.files)?;
-    command::distinct_stems(&sources, &arguments.out)?;
+    let sources = read_sources(&arguments.files)?;
+    distinct_stems(&sources, &arguments.out)?;
     let shard = sweeps::shard_of(&sources, arguments)?;
-    command::start_threads(arguments.threads)?;
+    start_threads(arguments.threads)?;
     listen();
     let mut outlet = Outlet::new(stdout);
     let outcome = experiments(&sources, shard, arguments, &mut outlet);

@@ -8,7 +8,9 @@ use exchange::AssemblyOptions;
 use experiment::{ImportError, ImportOptions, MAX_IMPORT_SIZE};
 use record::{Destination, ExportError, StoredMethod, StoredResult};
 
-use crate::command::{ExportArguments, Failure, ImportArguments, line, say};
+use crate::command::{ExportArguments, ImportArguments};
+use crate::failure::Failure;
+use crate::terminal::{line, say};
 
 /// Writes the files; one that is refused keeps none of the others back.
 pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Result<(), Failure> {

@@ -8,7 +8,10 @@ use std::path::Path;
 use plateau::CurveBasis;
 use record::Destination;
 
-use crate::command::{BasisArguments, ConstructionArguments, Drawing, Failure, FamilyName, say};
+use crate::command::{BasisArguments, ConstructionArguments, Drawing};
+use crate::failure::Failure;
+use crate::terminal::say;
+use crate::values::FamilyName;
 
 /// Draws to the file that was asked for, or to stdout.
 pub(crate) fn draw(drawing: &Drawing, stdout: &mut impl Write) -> Result<(), Failure> {

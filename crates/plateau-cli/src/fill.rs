@@ -8,8 +8,10 @@ use experiment::{ImportError, ImportOptions, Options, Plan};
 use plateau::{AreaEnd, Fill, Film, MethodError, Warning, Way};
 use record::{Destination, ExportError, ResultFile};
 
-use crate::command::{Failure, FillArguments, line, say};
+use crate::command::FillArguments;
 use crate::conversion::contents;
+use crate::failure::Failure;
+use crate::terminal::{line, say};
 
 /// What is written at the end.
 enum Wanted {

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-use crate::command::say;
+use crate::terminal::say;
 
 /// Signals within this time are one wish to end: a terminal that is closed sends several.
 const ONE_WISH: Duration = Duration::from_millis(500);

@@ -5,20 +5,29 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use command::{Arguments, Command, Failure, say};
+use command::{Arguments, Command};
+use failure::Failure;
 use show::Printable;
+use terminal::say;
 
 mod bars;
 mod batch;
+mod check;
 mod command;
 mod conversion;
 mod costs;
 mod drawing;
+mod failure;
 mod fill;
 mod interrupt;
+mod manual;
 mod outcome;
 mod outlet;
+mod sources;
 mod sweeps;
+mod terminal;
+mod threads;
+mod values;
 mod verify;
 
 fn main() -> ExitCode {
@@ -48,7 +57,7 @@ fn refused(error: clap::Error) -> ! {
 fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
     match command {
         Command::Run(arguments) => batch::run(&arguments, stdout),
-        Command::Check { files } => command::check(&files, stdout),
+        Command::Check { files } => check::check(&files, stdout),
         Command::Reproduce { json, quiet } => batch::reproduce(json, quiet, stdout),
         Command::Merge(arguments) => sweeps::merge_folders(&arguments, stdout),
         Command::Verify(arguments) => verify::results(&arguments, stdout),
@@ -57,8 +66,8 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Export(arguments) => conversion::export(&arguments, stdout),
         Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
         Command::Draw(drawing) => drawing::draw(&drawing, stdout),
-        Command::Completions { shell } => command::completions(shell, stdout),
-        Command::Man => command::man(stdout),
+        Command::Completions { shell } => manual::completions(shell, stdout),
+        Command::Man => manual::man(stdout),
         Command::Schema => Ok(stdout.write_all(experiment::experiment_schema().as_bytes())?),
     }
 }

@@ -5,7 +5,8 @@ use std::io::{self, ErrorKind, Write};
 use console::Term;
 use show::WIDTH;
 
-use crate::command::{Failure, say};
+use crate::failure::Failure;
+use crate::terminal::say;
 
 /// Passes on what is written until that fails once; from then on everything is dropped, for results are kept on disk and
 /// not to be lost because nobody listens.

@@ -9,10 +9,12 @@ use experiment::{Options, Source, Sweep};
 use sweep::{Merged, Order, Shard, merge, run, shard};
 
 use crate::bars::Bars;
-use crate::command::{Failure, MergeArguments, RunArguments, line, say};
+use crate::command::{MergeArguments, RunArguments};
+use crate::failure::Failure;
 use crate::interrupt::interrupted;
 use crate::outcome::Outcome;
 use crate::outlet::room;
+use crate::terminal::{line, say};
 
 /// Most cells that are told one by one.
 const MOST_TOLD: usize = 20;

@@ -7,9 +7,12 @@ use record::{Level, Verification, VerifyError, verify};
 use show::{Printable, width_of_names};
 
 use crate::bars::Bars;
-use crate::command::{Failure, VerifyArguments, line, say, start_threads, tell};
+use crate::command::VerifyArguments;
+use crate::failure::Failure;
 use crate::interrupt::listen;
 use crate::outlet::Outlet;
+use crate::terminal::{line, say, tell};
+use crate::threads::start_threads;
 
 /// Most differences of a method that are printed.
 const SHOWN: usize = 5;

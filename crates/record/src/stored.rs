@@ -77,8 +77,11 @@ impl StoredResult {
     }
 }
 
-/// The name of a method, and its surface or its error.
-fn method(entry: Value, place: &str) -> Result<(String, Result<(Surface, Family), String>), ReadError> {
+/// A surface and what it is made of, or the error with which its method failed.
+type Made = Result<(Surface, Family), String>;
+
+/// The name of a method and what it made.
+fn method(entry: Value, place: &str) -> Result<(String, Made), ReadError> {
     let key = |name: &str| format!("{place}.{name}");
     let head: Head = typed(&entry, place)?;
     let name = required(head.name, &key("name"))?;

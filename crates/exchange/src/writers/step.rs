@@ -77,7 +77,7 @@ impl StepFile {
     /// [`StepError`] if there is no such spline, or none that CAD programs can read.
     pub(crate) fn new(surface: &Surface, family: Family, tolerance: f64) -> Result<Self, StepError> {
         let (spline, accuracy) = spline(surface, family, tolerance)?;
-        let size = checked_size(&spline.points())?;
+        let size = checked_size(spline.points())?;
         let file = Self { spline, accuracy, size };
         let names = ["its side v = start", "its side u = end", "its side v = end", "its side u = start"];
         for (side, part) in file.sides().iter().zip(names) {
@@ -129,7 +129,7 @@ impl StepFile {
     /// The surface, bounded by the four curves of its border. Sides that are one point have no edge; opposite sides that
     /// coincide are one edge, run through twice.
     fn face(&self, title: &str, entities: &mut Entities<'_>) -> io::Result<usize> {
-        let surface = surface(&self.spline.points(), &self.spline.knots(), entities)?;
+        let surface = surface(self.spline.points(), self.spline.knots(), entities)?;
         let corners = self.corners();
         let mut vertices: Vec<(Point, usize)> = Vec::new();
         let mut edges: Vec<(Vec<Point>, usize)> = Vec::new();
@@ -275,8 +275,8 @@ pub(super) fn curve(points: &[Point], knots: &Knots, entities: &mut Entities<'_>
         "B_SPLINE_CURVE_WITH_KNOTS('',{},({}),.UNSPECIFIED.,.F.,.F.,({}),({}),.UNSPECIFIED.)",
         knots.degree(),
         references(&ids),
-        list(&knots.multiplicities(), usize::to_string),
-        list(&knots.values(), |x| real(*x)),
+        list(knots.multiplicities(), usize::to_string),
+        list(knots.values(), |x| real(*x)),
     ))
 }
 
@@ -293,10 +293,10 @@ pub(super) fn surface(
         u.degree(),
         v.degree(),
         rows.join(",\n"),
-        list(&u.multiplicities(), usize::to_string),
-        list(&v.multiplicities(), usize::to_string),
-        list(&u.values(), |x| real(*x)),
-        list(&v.values(), |x| real(*x)),
+        list(u.multiplicities(), usize::to_string),
+        list(v.multiplicities(), usize::to_string),
+        list(u.values(), |x| real(*x)),
+        list(v.values(), |x| real(*x)),
     ))
 }
 
