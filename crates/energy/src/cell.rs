@@ -143,3 +143,13 @@ pub trait Cell: Debug + Send + Sync {
 
 /// Points summed before their sum is added to that of others.
 const LINE: usize = 32;
+
+/// The first unknown of every node, and how many there are.
+pub(crate) fn numbered(counts: impl Iterator<Item = usize>) -> (Vec<usize>, usize) {
+    let (mut first, mut size) = (Vec::new(), 0);
+    for count in counts {
+        first.push(size);
+        size += count;
+    }
+    (first, size)
+}

@@ -7,7 +7,7 @@ use bases::{Basis, GaussLegendre, Matrix};
 use surfaces::Point;
 
 use crate::area_hessian::Density;
-use crate::cell::{Cell, Freedom};
+use crate::cell::{Cell, Freedom, numbered};
 use crate::cell_contraction::{Fields, Pairs, Range, Samples};
 use crate::cell_evaluation::Evaluation;
 use crate::product::{add_product, mirror, mirrored};
@@ -305,16 +305,6 @@ fn project(matrix: &mut Matrix, at: [usize; 2], block: &[[f64; 3]; 3], rows: &[P
             matrix[(at[0] + q, at[1] + p)] = d.dot(image);
         }
     }
-}
-
-/// The first unknown of every node, and how many there are.
-pub(crate) fn numbered(counts: impl Iterator<Item = usize>) -> (Vec<usize>, usize) {
-    let (mut first, mut size) = (Vec::new(), 0);
-    for count in counts {
-        first.push(size);
-        size += count;
-    }
-    (first, size)
 }
 
 impl ProductCell {

@@ -5,8 +5,7 @@ use surfaces::Point;
 
 use crate::EnergyError;
 use crate::area_hessian::Density;
-use crate::cell::{Cell, Freedom};
-use crate::cell_product::numbered;
+use crate::cell::{Cell, Freedom, numbered};
 use crate::panel::{Left, Right, add_panels};
 use crate::product::{add_upper_product, mirror, mirrored};
 

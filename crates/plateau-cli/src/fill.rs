@@ -74,16 +74,22 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
                 record::write_text(&text, to).map(|()| None).map_err(ExportError::from)
             }
         };
-        match written {
-            Ok(Some(form)) => say(&format!("{}: {form}", to.path().display())),
-            Ok(None) => say(&to.path().display().to_string()),
-            Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
-                say(&format!("error: {error}"));
-                sound = false;
-            }
-        }
+        sound &= told(written, to);
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// Says what was written, or why nothing was; whether it was.
+fn told(written: Result<Option<String>, ExportError>, to: &Destination) -> bool {
+    match written {
+        Ok(Some(form)) => say(&format!("{}: {form}", to.path().display())),
+        Ok(None) => say(&to.path().display().to_string()),
+        Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
+            say(&format!("error: {error}"));
+            return false;
+        }
+    }
+    true
 }
 
 /// Keys of the method, which ends an experiment, that only this command has options for.

@@ -139,15 +139,7 @@ pub(super) fn axis(table: &Table<'_>, folder: &Path) -> Option<Axis> {
             return None;
         }
         (keys, scale, boundaries) => {
-            let [first, second] = [keys.span(), scale.span(), boundaries.span()]
-                .into_iter()
-                .flatten()
-                .collect::<Vec<_>>()
-                .first_chunk::<2>()
-                .cloned()?;
-            let message = "an axis has one of `key`, `scale` and `boundaries`";
-            let help = "write an axis for each; with = \"…\" lets one go in step with another";
-            faults.conflict((second, "the second"), (first, "the first"), message, help);
+            two_kinds(faults, [keys.span(), scale.span(), boundaries.span()]);
             return None;
         }
     };
@@ -160,6 +152,16 @@ pub(super) fn axis(table: &Table<'_>, folder: &Path) -> Option<Axis> {
         partner,
         span: table.span(),
     })
+}
+
+/// Says that an axis varies two things at once.
+fn two_kinds(faults: &Faults<'_>, spans: [Option<Range<usize>>; 3]) {
+    let spans: Vec<_> = spans.into_iter().flatten().collect();
+    if let [first, second, ..] = spans.as_slice() {
+        let message = "an axis has one of `key`, `scale` and `boundaries`";
+        let help = "write an axis for each; with = \"…\" lets one go in step with another";
+        faults.conflict((second.clone(), "the second"), (first.clone(), "the first"), message, help);
+    }
 }
 
 /// What to do about a name or a label that could not stand in the name of a folder.

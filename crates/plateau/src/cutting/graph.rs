@@ -219,14 +219,7 @@ pub(super) fn cut(graph: &CurveGraph, cutting: &Cutting) -> Result<(Quads, f64),
     }
     let (mut pieces, deviation) = graph.pieces(cutting)?;
     check_count(pieces.iter().map(Vec::len).sum())?;
-    let half = pieces.iter().map(|pieces| pieces.len().div_ceil(2)).max().unwrap_or(1);
-    for pieces in &mut pieces {
-        while pieces.len() < 2 * half {
-            let longest = longest(pieces);
-            let halves = pieces[longest].split(0.5);
-            pieces.splice(longest..=longest, halves);
-        }
-    }
+    let half = even(&mut pieces);
     let mut blueprint = Blueprint::default();
     for (name, &vertex) in graph.names.iter().zip(&graph.vertices) {
         blueprint.named(name, vertex);
@@ -258,18 +251,36 @@ pub(super) fn cut(graph: &CurveGraph, cutting: &Cutting) -> Result<(Quads, f64),
             }
             ring.extend_from_slice(&run[..2 * half]);
         }
-        let cut = match cutting.way {
-            Some(Way::Ring) => Cut::Ring,
-            Some(Way::TurnedRing) => Cut::TurnedRing,
-            Some(Way::Midpoint) => Cut::Fan,
-            None | Some(Way::Faces | Way::Grid | Way::Annulus | Way::Parts) => {
-                if has_tame_corners(&blueprint, &ring, half, cutting) { Cut::Fan } else { Cut::Ring }
-            }
-        };
+        let cut = cut_of_face(&blueprint, &ring, half, cutting);
         blueprint.polygon(&ring, half, cut);
     }
     let quads = Quads { blueprint, way: Way::Faces, corners: graph.vertices.len(), deviation };
     Ok((quads, graph.welded))
+}
+
+/// Cuts the longest pieces of curves in two until all have the same even number of them; half of that.
+fn even(pieces: &mut [Vec<Bezier>]) -> usize {
+    let half = pieces.iter().map(|pieces| pieces.len().div_ceil(2)).max().unwrap_or(1);
+    for pieces in pieces {
+        while pieces.len() < 2 * half {
+            let longest = longest(pieces);
+            let halves = pieces[longest].split(0.5);
+            pieces.splice(longest..=longest, halves);
+        }
+    }
+    half
+}
+
+/// How a face is cut whose sides run through these vertices.
+fn cut_of_face(blueprint: &Blueprint, ring: &[usize], half: usize, cutting: &Cutting) -> Cut {
+    match cutting.way {
+        Some(Way::Ring) => Cut::Ring,
+        Some(Way::TurnedRing) => Cut::TurnedRing,
+        Some(Way::Midpoint) => Cut::Fan,
+        None | Some(Way::Faces | Way::Grid | Way::Annulus | Way::Parts) => {
+            if has_tame_corners(blueprint, ring, half, cutting) { Cut::Fan } else { Cut::Ring }
+        }
+    }
 }
 
 /// Whether all corners of a face are between 30° and 150°, as far as they are known: where a side is free they are not.

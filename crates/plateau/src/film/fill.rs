@@ -1,6 +1,6 @@
 //! From loops or a graph of curves to the surface that spans them.
 
-use surfaces::{BoundaryCurve, Complex, anchor, extent};
+use surfaces::{BoundaryCurve, Complex, ComplexMesh, anchor, extent};
 
 use super::{Film, Tried, degree, pinch};
 use crate::excess::{estimated, told};
@@ -255,18 +255,7 @@ impl Fill {
             notes.extend(reached.note);
         }
         let Solution { cut, complex, names, layers, extremal, seams } = solution;
-        let subdivisions = match self.mesh {
-            Meshing::PerPatch(subdivisions) => subdivisions,
-            Meshing::InAll(subdivisions) => per_face(&complex, subdivisions),
-        };
-        memory::holds(memory::of_mesh(subdivisions).saturating_mul(complex.faces().len()))?;
-        let mesh = complex.mesh(subdivisions)?;
-        // Far from the origin the rounding of jets would be taken for what an area has not settled by.
-        let origin = anchor(complex.points());
-        let near = |face| Ok(Surface::Tensor(complex.patch(face)?).moved(-origin)?);
-        let patches = (0..complex.faces().len()).map(near).collect::<Result<Vec<_>, MethodError>>()?;
-        let patches: Vec<&dyn surfaces::Patch> = patches.iter().filter_map(Surface::patch).collect();
-        let figures = Figures::of_all(&patches, &mesh.mesh)?;
+        let (mesh, figures) = self.measured(&complex)?;
         let mut film = Film {
             names,
             layers,
@@ -303,6 +292,23 @@ impl Fill {
             }
         }
         Ok(film)
+    }
+
+    /// The mesh of a surface and its figures.
+    fn measured(&self, complex: &Complex) -> Result<(ComplexMesh, Figures), MethodError> {
+        let subdivisions = match self.mesh {
+            Meshing::PerPatch(subdivisions) => subdivisions,
+            Meshing::InAll(subdivisions) => per_face(complex, subdivisions),
+        };
+        memory::holds(memory::of_mesh(subdivisions).saturating_mul(complex.faces().len()))?;
+        let mesh = complex.mesh(subdivisions)?;
+        // Far from the origin the rounding of jets would be taken for what an area has not settled by.
+        let origin = anchor(complex.points());
+        let near = |face| Ok(Surface::Tensor(complex.patch(face)?).moved(-origin)?);
+        let patches = (0..complex.faces().len()).map(near).collect::<Result<Vec<_>, MethodError>>()?;
+        let patches: Vec<&dyn surfaces::Patch> = patches.iter().filter_map(Surface::patch).collect();
+        let figures = Figures::of_all(&patches, &mesh.mesh)?;
+        Ok((mesh, figures))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The search for shape parameters: a swarm over the reduced energy, a polish of what it found.
 
+mod at_shapes;
 mod composed;
 mod least_area;
 mod minima;

@@ -5,6 +5,7 @@ use optim::{Objective, Smooth};
 use solve::{AffineSamples, Path, SeparableParametric};
 use surfaces::{Net, ShapeFactor, ShapedFamily};
 
+use super::at_shapes::AtShapes;
 use super::composed::{Composed, Inner, form};
 use super::least_area::LeastArea;
 use super::minima::Minima;
@@ -17,19 +18,13 @@ pub(super) enum Reduced<'a> {
     /// Polynomials of the shape, contracted with the boundary once: for small nets, any quadratic energy, any blend.
     Parametric(Box<ReducedEnergy>),
     /// Samples of the functions, orthonormalised at every shape: for large nets, where Gram matrices lose digits.
-    Separable(Box<Separable>),
+    Separable(Box<AtShapes<SeparableParametric>>),
     /// The extremal itself at every shape: for large nets, any quadratic energy, any blend.
     Minima(Box<Minima>),
     /// The least area over the border: a minimisation at every shape.
     Area(Box<LeastArea<'a>>),
     /// Another energy than the one whose extremal is taken.
     Composed(Box<Composed<'a>>),
-}
-
-/// A system of samples with the family whose shape it depends on.
-pub(super) struct Separable {
-    family: ShapedFamily,
-    system: SeparableParametric,
 }
 
 /// The tolerance of a least area that no method has set.
@@ -99,8 +94,8 @@ impl<'a> Reduced<'a> {
         if let ([[u, v]], true) = (family.factors((m, n))?.as_slice(), separable) {
             let (u, v) = (affine_samples(u, m)?, affine_samples(v, n)?);
             let interior = |degree: usize| (1..degree).collect::<Vec<_>>();
-            let system = SeparableParametric::new(u, v, &interior(m), &interior(n), &net.coordinates())?;
-            return Ok(Self::Separable(Box::new(Separable { family, system })));
+            let minimum = SeparableParametric::new(u, v, &interior(m), &interior(n), &net.coordinates())?;
+            return Ok(Self::Separable(Box::new(AtShapes { minimum, family })));
         }
         let reduced = ReducedEnergy::new(functional, family, net)?;
         Ok(Self::Parametric(Box::new(match arithmetic {
@@ -152,34 +147,6 @@ fn affine_samples(factor: &ShapeFactor, degree: usize) -> Result<AffineSamples, 
         values: split(0),
         derivatives: split(1),
     })
-}
-
-impl Objective for Separable {
-    fn dimension(&self) -> usize {
-        self.family.parameters().len()
-    }
-
-    fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        let found = self.family.coordinates_of_all(points).map(|points| self.system.values(&points, values));
-        // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
-        if !matches!(found, Ok(Ok(()))) {
-            values.fill(f64::NAN);
-        }
-    }
-}
-
-impl Smooth for Separable {
-    fn dimension(&self) -> usize {
-        self.family.parameters().len()
-    }
-
-    fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        let Ok(coordinates) = self.family.coordinates(point) else { return f64::NAN };
-        let mut by_coordinates = [0.0; 4];
-        let value = self.system.value_and_gradient(&coordinates, &mut by_coordinates);
-        gradient.copy_from_slice(&self.family.by_parameters(by_coordinates));
-        value
-    }
 }
 
 impl Reduced<'_> {

@@ -5,6 +5,7 @@ use optim::{Objective, Smooth};
 use solve::{Parametric, ParametricProblem, Path, PolynomialMatrix, Term};
 use surfaces::{Net, ShapedFamily, TensorPatch};
 
+use super::at_shapes::AtShapes;
 use crate::MethodError;
 
 /// `J(α) = min_P E(P; α)`: a quadratic energy of patches of a family over a net, minimised over its free points, as a function of
@@ -32,8 +33,7 @@ use crate::MethodError;
 /// ```
 #[derive(Debug)]
 pub struct ReducedEnergy {
-    system: Parametric,
-    family: ShapedFamily,
+    reduced: AtShapes<Parametric>,
     net: Net,
 }
 
@@ -44,8 +44,8 @@ impl ReducedEnergy {
     /// [`MethodError::Energy`] for degrees below 2, [`MethodError::Solve`] for more than 400 free points.
     pub fn new(functional: Functional, family: ShapedFamily, net: &Net) -> Result<Self, MethodError> {
         let form = ShapeForm::of(functional, family, net.degrees())?;
-        let system = Parametric::new(&problem(&form, net))?;
-        Ok(Self { system, family, net: net.clone() })
+        let minimum = Parametric::new(&problem(&form, net))?;
+        Ok(Self { reduced: AtShapes { minimum, family }, net: net.clone() })
     }
 
     /// The same, evaluated on a chosen path.
@@ -53,17 +53,18 @@ impl ReducedEnergy {
     /// # Errors
     /// [`MethodError::Solve`] if this machine does not have it.
     pub fn with_path(self, path: Path) -> Result<Self, MethodError> {
-        Ok(Self { system: self.system.with_path(path)?, ..self })
+        let AtShapes { minimum, family } = self.reduced;
+        Ok(Self { reduced: AtShapes { minimum: minimum.with_path(path)?, family }, ..self })
     }
 
     /// The path that evaluations take: results repeat bit for bit on the same one only.
     pub fn path(&self) -> Path {
-        self.system.path()
+        self.system().path()
     }
 
     /// The linear systems behind it.
     pub fn system(&self) -> &Parametric {
-        &self.system
+        &self.reduced.minimum
     }
 
     /// The patch of least energy at a shape.
@@ -72,8 +73,9 @@ impl ReducedEnergy {
     /// [`MethodError::Surface`] for a shape that the family does not have, [`MethodError::Solve`] where the energy is not positive definite to
     /// working precision.
     pub fn extremal(&self, shape: &[f64]) -> Result<TensorPatch, MethodError> {
-        let solution = self.system.solve(&self.family.coordinates(shape)?)?;
-        Ok(self.family.patch(self.net.with_coordinates(&solution.x)?, shape)?)
+        let family = self.reduced.family;
+        let solution = self.system().solve(&family.coordinates(shape)?)?;
+        Ok(family.patch(self.net.with_coordinates(&solution.x)?, shape)?)
     }
 }
 
@@ -103,28 +105,20 @@ fn problem(form: &ShapeForm, net: &Net) -> ParametricProblem {
 
 impl Objective for ReducedEnergy {
     fn dimension(&self) -> usize {
-        self.family.parameters().len()
+        Objective::dimension(&self.reduced)
     }
 
     fn evaluate(&self, points: &[f64], values: &mut [f64]) {
-        let found = self.family.coordinates_of_all(points).map(|points| self.system.values(&points, values));
-        // A call that fails as a whole is an evaluation that failed at every point: it is counted and loses.
-        if !matches!(found, Ok(Ok(()))) {
-            values.fill(f64::NAN);
-        }
+        self.reduced.evaluate(points, values);
     }
 }
 
 impl Smooth for ReducedEnergy {
     fn dimension(&self) -> usize {
-        self.family.parameters().len()
+        Smooth::dimension(&self.reduced)
     }
 
     fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
-        let Ok(coordinates) = self.family.coordinates(point) else { return f64::NAN };
-        let mut by_coordinates = [0.0; 4];
-        let value = self.system.value_and_gradient(&coordinates, &mut by_coordinates);
-        gradient.copy_from_slice(&self.family.by_parameters(by_coordinates));
-        value
+        self.reduced.value_and_gradient(point, gradient)
     }
 }

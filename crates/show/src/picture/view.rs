@@ -189,6 +189,12 @@ pub(super) fn surface(
     if smooth {
         svg.close();
     }
+    rims(svg, scene, shown, camera, at);
+}
+
+/// The rims of a surface.
+fn rims(svg: &mut Svg, scene: &Scene<'_>, shown: &Shown<'_>, camera: &Camera, at: [f64; 2]) {
+    let sample = &shown.sample;
     for line in sample.lines.iter().filter(|line| line.kind == LineKind::Rim) {
         let is_closed = line.points.first() == line.points.last();
         let places = line.points[usize::from(is_closed)..].iter();

@@ -211,6 +211,39 @@ fn block<const W: usize, const B: usize, A: Arithmetic<W>>(
     }
 }
 
+/// The weights `Σ_d p_i p_j` of the minimiser with which the slots of Q_ff stand in pᵀ Q_ff p: for each left factor those of its right
+/// ones together, and the other way round.
+#[inline(always)]
+fn weigh_slots<'a, const W: usize, A: Arithmetic<W>>(
+    a: A,
+    tables: &Tables,
+    workspace: &'a mut Workspace<'_, W>,
+) -> (&'a [[f64; W]], &'a [[f64; W]]) {
+    let (left, right) = (&*workspace.left, &*workspace.right);
+    let (of_left, rest) = workspace.slot_weights.split_at_mut(left.len());
+    let of_right = &mut rest[..right.len()];
+    of_left.fill([0.0; W]);
+    of_right.fill([0.0; W]);
+    let mut slots = tables.assembly.chunks_exact(tables.terms.max(1));
+    for i in 0..tables.free {
+        for j in 0..=i {
+            let mut weight = a.splat(0.0);
+            for d in 0..3 {
+                let (p, q) =
+                    (a.load(&workspace.minimiser[3 * i + d]), a.load(&workspace.minimiser[3 * j + d]));
+                weight = a.mul_add(p, q, weight);
+            }
+            weight = a.mul(weight, a.splat(if i == j { 1.0 } else { 2.0 }));
+            for [l, r] in slots.next().unwrap_or(&[]) {
+                let (l, r) = (*l as usize, *r as usize);
+                of_left[l] = a.store(a.mul_add(weight, a.load(&right[r]), a.load(&of_left[l])));
+                of_right[r] = a.store(a.mul_add(weight, a.load(&left[l]), a.load(&of_right[r])));
+            }
+        }
+    }
+    (&*of_left, &*of_right)
+}
+
 /// `∂J = Σ_d X_dᵀ (∂Q) X_d` at the minimiser that [`value`] left in the workspace.
 ///
 /// First the minimiser is contracted with the tables, which leaves one polynomial in the four parameters: one
@@ -243,30 +276,9 @@ fn gradient<const W: usize, A: Arithmetic<W>>(
         }
     }
 
-    let (left, right) = (&*workspace.left, &*workspace.right);
-    let (of_left, rest) = workspace.slot_weights.split_at_mut(left.len());
-    let of_right = &mut rest[..right.len()];
-    of_left.fill([0.0; W]);
-    of_right.fill([0.0; W]);
-    let mut slots = tables.assembly.chunks_exact(tables.terms.max(1));
-    for i in 0..tables.free {
-        for j in 0..=i {
-            let mut weight = zero;
-            for d in 0..3 {
-                let (p, q) =
-                    (a.load(&workspace.minimiser[3 * i + d]), a.load(&workspace.minimiser[3 * j + d]));
-                weight = a.mul_add(p, q, weight);
-            }
-            weight = a.mul(weight, a.splat(if i == j { 1.0 } else { 2.0 }));
-            for [l, r] in slots.next().unwrap_or(&[]) {
-                let (l, r) = (*l as usize, *r as usize);
-                of_left[l] = a.store(a.mul_add(weight, a.load(&right[r]), a.load(&of_left[l])));
-                of_right[r] = a.store(a.mul_add(weight, a.load(&left[l]), a.load(&of_right[r])));
-            }
-        }
-    }
+    let (of_left, of_right) = weigh_slots(a, tables, workspace);
     for (derivatives, weights, coefficients) in
-        [(&mut dx, &*of_left, &tables.left), (&mut dy, &*of_right, &tables.right)]
+        [(&mut dx, of_left, &tables.left), (&mut dy, of_right, &tables.right)]
     {
         for (weight, c) in weights.iter().zip(coefficients) {
             for m in 1..MONOMIALS {

@@ -190,28 +190,9 @@ fn contracted(
     for term in &problem.terms {
         let (left, right) = (&problem.left[term.left], &problem.right[term.right]);
         for q in 0..MONOMIALS {
-            // along[k, j] = Σ_l R[j, l] P_b[k, l]
-            along.fill(0.0);
-            for k in 0..rows {
-                for j in 0..cols {
-                    for l in 0..cols {
-                        let r = right.coefficients[q][j * cols + l];
-                        for d in 0..3 {
-                            along[3 * (k * cols + j) + d] += r * fixed[3 * (k * cols + l) + d];
-                        }
-                    }
-                }
-            }
+            along_rows(&right.coefficients[q], cols, &fixed, &mut along);
             for p in 0..MONOMIALS {
-                // across[i, j] = factor Σ_k L[i, k] along[k, j]
-                across.fill(0.0);
-                for i in 0..rows {
-                    for k in 0..rows {
-                        let l = term.coefficient * left.coefficients[p][i * rows + k];
-                        let (to, from) = (3 * i * cols..3 * (i + 1) * cols, 3 * k * cols..3 * (k + 1) * cols);
-                        across[to].iter_mut().zip(&along[from]).for_each(|(v, a)| *v += l * a);
-                    }
-                }
+                down_columns(term.coefficient, &left.coefficients[p], (rows, cols), &along, &mut across);
                 let product = p * MONOMIALS + q;
                 let mut entry = 0;
                 for &i in free_rows {
@@ -233,6 +214,31 @@ fn contracted(
         })?;
     }
     Ok(tables)
+}
+
+/// `along[k, j] = Σ_l R[j, l] P_b[k, l]`, R of order `cols`.
+fn along_rows(r: &[f64], cols: usize, fixed: &[f64], along: &mut [f64]) {
+    along.fill(0.0);
+    for (along, fixed) in along.chunks_exact_mut(3 * cols).zip(fixed.chunks_exact(3 * cols)) {
+        for j in 0..cols {
+            for l in 0..cols {
+                for d in 0..3 {
+                    along[3 * j + d] += r[j * cols + l] * fixed[3 * l + d];
+                }
+            }
+        }
+    }
+}
+
+/// `across[i, j] = factor Σ_k L[i, k] along[k, j]`, L of order `rows`.
+fn down_columns(factor: f64, l: &[f64], (rows, cols): (usize, usize), along: &[f64], across: &mut [f64]) {
+    across.fill(0.0);
+    for (i, across) in across.chunks_exact_mut(3 * cols).enumerate() {
+        for (k, along) in along.chunks_exact(3 * cols).enumerate() {
+            let l = factor * l[i * rows + k];
+            across.iter_mut().zip(along).for_each(|(v, a)| *v += l * a);
+        }
+    }
 }
 
 /// The size of the net, after all of the problem has been looked at.
