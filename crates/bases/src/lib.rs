@@ -36,6 +36,8 @@
 //! | cutting a family in two | [`Subdivision`] |
 //! | matrices, errors | [`Matrix`], [`BasisError`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod aht;
 mod at;
 mod basis;

@@ -36,6 +36,8 @@
 //! | bounds from below | [`Calibration`], [`Plane`], [`certify()`], [`Unproved`] |
 //! | errors | [`EnergyError`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod area;
 mod area_hessian;
 mod area_product;

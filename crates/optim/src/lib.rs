@@ -48,6 +48,8 @@
 //! | what it found | [`Search`], [`Run`], [`Best`], [`Reason`] |
 //! | the polish | [`Polish`], [`Polished`], [`PolishReason`], [`PolishError`]; [`MAX_STARTS`], [`MAX_POLISH_DIMENSION`], [`MAX_POLISH_EVALUATIONS`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod bounds;
 mod box_model;
 mod descent;

@@ -159,22 +159,20 @@ const HIGH: usize = 10;
 impl MethodError {
     /// The error of the system of a mask with this corner weight.
     pub(crate) fn of_mask(self, alpha: f64, degree: usize) -> Self {
-        match self {
-            Self::Solve(solve::SolveError::Singular { reciprocal_condition, .. }) => {
-                Self::MaskWeight { alpha, degree, reciprocal_condition }
-            }
-            error => error,
+        if let Self::Solve(solve::SolveError::Singular { reciprocal_condition, .. }) = self {
+            return Self::MaskWeight { alpha, degree, reciprocal_condition };
         }
+        self
     }
 
     /// The error of the linear system of an extremal of this degree.
     pub(crate) fn of_system(error: solve::SolveError, degree: usize) -> Self {
-        match error {
-            solve::SolveError::NotPositiveDefinite { order, pivot: Some(pivot), .. } if degree >= HIGH => {
-                Self::Degree { degree, unknowns: order, pivot }
-            }
-            error => error.into(),
+        if let solve::SolveError::NotPositiveDefinite { order, pivot: Some(pivot), .. } = error
+            && degree >= HIGH
+        {
+            return Self::Degree { degree, unknowns: order, pivot };
         }
+        error.into()
     }
 }
 

@@ -49,6 +49,8 @@
 //! | nets of one's own | [`OwnNet`], [`NetBasis`], [`OrderSix`], [`of_net()`] |
 //! | curves | [`Curve`], [`CurveBasis`], [`CurveFunction`], [`CurveEnd`], [`CurveResult`]; [`NearestCurve`], [`NearestCurveError`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod arithmetic;
 mod boundary;
 mod boundary_figures;

@@ -15,6 +15,8 @@
 //! | the page | [`page()`], [`About`]; [`Comparison`], [`Verdict`] |
 //! | text on a terminal | [`Printable`], [`stand_ins()`], [`width_of_names()`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod colour;
 mod curvature_colours;
 mod number;

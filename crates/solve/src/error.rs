@@ -197,6 +197,7 @@ pub(crate) fn from_evd(error: EvdError, order: usize) -> SolveError {
     }
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "faer's enum is non-exhaustive")]
 pub(crate) fn from_faer(error: FaerError, bytes: usize) -> SolveError {
     match error {
         FaerError::IndexOverflow => SolveError::TooLarge {
@@ -204,7 +205,7 @@ pub(crate) fn from_faer(error: FaerError, bytes: usize) -> SolveError {
             found: usize::MAX,
             limit: isize::MAX as usize,
         },
-        // The enum is non-exhaustive; today its only other member is OutOfMemory.
+        // Today its only other member is OutOfMemory.
         _ => SolveError::OutOfMemory { bytes },
     }
 }

@@ -55,6 +55,8 @@
 //! | eigenvalues | [`Eigenpair`], [`SymmetricEigen`] |
 //! | errors | [`SolveError`], [`Place`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod certificate;
 mod check;
 mod condensed;

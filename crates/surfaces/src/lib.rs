@@ -44,6 +44,8 @@
 //! | B-spline surfaces | [`SplineSurface`] of [`Knots`], [`SplineFit`], [`SplineFitError`] |
 //! | errors | [`SurfaceError`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod anchor;
 mod complex;
 mod conjugate_gradients;

@@ -42,6 +42,8 @@
 //! | running it | [`Order`], [`run()`], [`Tally`]; [`OUTLINE_FILE`], [`OUTLINE_SCHEMA`] |
 //! | one table of all | [`merge()`], [`Merged`], [`MERGED_SCHEMA`], [`MergeError`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod csv;
 mod document;
 mod figures;

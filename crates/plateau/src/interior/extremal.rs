@@ -65,13 +65,14 @@ pub(crate) fn solve(
         return by_separation(patch, product);
     }
     let matrix = QuadraticForm::of(functional, patch)?.matrix();
-    by_matrix(patch, &matrix).map_err(|error| match error {
-        // The dense solver asked for by name where the separable one would do: its own error says so.
-        MethodError::Solve(error) if functional != Functional::Dirichlet || patch.products().len() > 1 => {
-            let (m, n) = net.degrees();
-            MethodError::of_system(error, m.max(n))
+    by_matrix(patch, &matrix).map_err(|error| {
+        let MethodError::Solve(error) = error else { return error };
+        if functional == Functional::Dirichlet && patch.products().len() == 1 {
+            // The dense solver asked for by name where the separable one would do: its own error says so.
+            return error.into();
         }
-        error => error,
+        let (m, n) = net.degrees();
+        MethodError::of_system(error, m.max(n))
     })
 }
 

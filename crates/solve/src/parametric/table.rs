@@ -208,9 +208,11 @@ fn contracted(
         }
     }
     for (row, table) in tables.iter().enumerate() {
-        check::finite(Place::RightHandSide, PRODUCTS, table).map_err(|error| match error {
-            SolveError::NotFinite { place, column, .. } => SolveError::NotFinite { place, row, column },
-            other => other,
+        check::finite(Place::RightHandSide, PRODUCTS, table).map_err(|mut error| {
+            if let SolveError::NotFinite { row: of_table, .. } = &mut error {
+                *of_table = row;
+            }
+            error
         })?;
     }
     Ok(tables)
