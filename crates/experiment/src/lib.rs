@@ -38,6 +38,7 @@
 //! | files of other programs as experiments | [`import()`], [`import_assembly()`], [`ImportOptions`], [`ImportError`], [`CornerGap`], [`MAX_IMPORT_SIZE`] |
 //! | the language | [`key_list()`], [`experiment_schema()`], [`Template`] |
 
+mod advice;
 mod diagnostic;
 mod import;
 mod key_list;

@@ -5,6 +5,7 @@ use plateau::{
     Progress, Quantity, Results, Solved, degeneracies, helicoids, of_net, sample, solve, trapezium,
 };
 
+use crate::advice::advised;
 use crate::{Expected, Experiment, FilmExperiment, FilmMethod, Output, PatchExperiment, Plan, Rim, Wanted};
 
 /// Choices that are not part of the experiment.
@@ -106,7 +107,7 @@ fn patches(experiment: &PatchExperiment, context: &Context<'_>) -> Vec<MethodRes
             results.iter().flatten().filter_map(|r| Some(&r.outcome.as_ref().ok()?.solved)).collect();
         let mut context = *context;
         (context.index, context.at_hand) = (index, &at_hand);
-        let outcome = solve(&experiment.boundary, &methods[index], &context).map(Box::new);
+        let outcome = solve(&experiment.boundary, &methods[index], &context).map(Box::new).map_err(advised);
         results[index] = Some(MethodResult { name: methods[index].name().to_owned(), outcome });
     }
     results.into_iter().flatten().collect()

@@ -39,6 +39,14 @@ pub enum MethodError {
         /// Evaluations made.
         evaluations: u64,
     },
+    /// Another error, with what to do about it in the words of whoever asked.
+    #[error("{error}. {advice}")]
+    Advised {
+        /// What went wrong.
+        error: Box<MethodError>,
+        /// What to do.
+        advice: &'static str,
+    },
     /// The Coons mask determines no net at even degrees from 6.
     #[error(
         "the Coons mask is exactly singular at every even degree from 6, and this net has degree {degree}: some nets that \

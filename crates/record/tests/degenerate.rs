@@ -113,7 +113,7 @@ const CAUSES: &[(&str, &[&[&str]])] = &[
             &["Dirichlet: parts of the extremal", "left out", "lower degree"],
             &["Dirichlet: the control points reach 1e8 times as far out as the boundary"],
             &["bending: parts of the extremal", "left out", "oscillate less"],
-            &["dense: failed: at degree 40 the condition", "leave the choice of the solver"],
+            &["dense: failed: at degree 40 the condition", "leave out `solver`"],
         ],
     ),
 ];
