@@ -4,14 +4,14 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use exchange::{Accuracy, Format, Knots, Spline, SurfaceForm};
+use exchange::{Accuracy, Format, SurfaceForm, spline};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayDyn, PyReadonlyArray2, ToPyArray};
 use plateau::{Done, Family, MethodResult, Progress, Surface as Geometry};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use record::{Destination, SCHEMA, StoredMethod, StoredResult};
-use surfaces::{Complex, Domain, Jet, Mesh, Patch, Point};
+use surfaces::{Complex, Domain, Jet, Knots, Mesh, Patch, Point, SplineSurface};
 
 use crate::arrays::{array, coordinates, or_nan, parameters};
 use crate::errors::{BoundaryError, FormatError, MethodError, of_export, of_method};
@@ -248,9 +248,9 @@ impl Surface {
     ) -> PyResult<(Vec<SplineArrays<'py>>, Option<f64>)> {
         let surface = self.found();
         let (splines, accuracy) = watched(py, None, move |_| surface.splines(tolerance))??;
-        let arrays = |spline: &Spline| {
-            let [u, v] = spline.knots().map(|knots| (knots.degree(), knots.repeated()));
-            let counts = spline.knots().map(Knots::count);
+        let arrays = |spline: &SplineSurface| {
+            let [u, v] = spline.knots().each_ref().map(|knots| (knots.degree(), knots.repeated()));
+            let counts = spline.knots().each_ref().map(Knots::count);
             Ok((u, v, array(py, [counts[0], counts[1], 3], coordinates(spline.points()))?))
         };
         let deviation = match accuracy {
@@ -281,18 +281,17 @@ impl Surface {
 
 impl Found {
     /// A spline for every face.
-    fn splines(&self, tolerance: f64) -> PyResult<(Vec<Spline>, Accuracy)> {
+    fn splines(&self, tolerance: f64) -> PyResult<(Vec<SplineSurface>, Accuracy)> {
         let of = |geometry: &Geometry| {
-            Spline::of(geometry, self.family, tolerance)
-                .map_err(|error| FormatError::new_err(error.to_string()))
+            spline(geometry, self.family, tolerance).map_err(|error| FormatError::new_err(error.to_string()))
         };
         let Geometry::Complex(complex) = &self.geometry else {
-            let (spline, accuracy) = of(&self.geometry)?;
-            return Ok((vec![spline], accuracy));
+            let (whole, accuracy) = of(&self.geometry)?;
+            return Ok((vec![whole], accuracy));
         };
         let face = |face| {
             let patch = complex.patch(face).map_err(|error| MethodError::new_err(error.to_string()))?;
-            of(&Geometry::Tensor(patch)).map(|(spline, _)| spline)
+            of(&Geometry::Tensor(patch)).map(|(patch, _)| patch)
         };
         Ok(((0..complex.faces().len()).map(face).collect::<PyResult<_>>()?, Accuracy::Exact))
     }

@@ -17,5 +17,5 @@ pub use deformation::write_deformation;
 pub use extent::diagonal;
 pub use file::{SurfaceFile, Unfit};
 pub use format::{DEFAULT_TOLERANCE, Format};
-pub use spline::{Accuracy, Knots, Spline, SplineError};
+pub use spline::{Accuracy, SplineError, spline};
 pub use subject::{Colours, Subject, SurfaceForm};
