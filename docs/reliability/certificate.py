@@ -7,7 +7,8 @@ point of the region, bounds every oriented surface with the rim, since the proje
 
 What is shown here, from the numbers as they stand in the file:
 - the axes are orthonormal up to δ, and areas are divided by 1 + δ;
-- faces meet along whole edges, in opposite directions, with the same ψ; the edges of one face make up the rim of the surface;
+- faces meet along whole edges, in opposite directions, with the same ψ; the edges of one face make up the rim of the surface, whole
+  or each in halves;
 - in the parameters (u, v) of a face, D = x_u y_v − x_v y_u > 0 and q = D² − |ψ_u y_v − ψ_v y_u|² − |ψ_v x_u − ψ_u x_v|² > 0, as their
   Chebyshev coefficients on parts of the square show: all others together are smaller than the first;
 - ∫ √(1 − |∇ψ|²) dx dy = ∫ √q du dv by Gauss' rule of N² points. With coefficients c_jk and ρ > 1 such that Σ |c_jk| ρ^j < 2 c_00, q has
@@ -229,14 +230,26 @@ def distance(a, b):
     return max(hypot(*(float(s - t) for s, t in zip(p, q))) for p, q in zip(*exact))
 
 
+def halves(curve):
+    """The two halves of a curve, exactly."""
+    row, left, right = [[Fraction(c) for c in p] for p in curve], [], []
+    while row:
+        left.append(row[0])
+        right.insert(0, row[-1])
+        row = [[(s + t) / 2 for s, t in zip(p, q)] for p, q in zip(row, row[1:])]
+    return left, right
+
+
 def length(curve):
     return sum(hypot(*(s - t for s, t in zip(p, q))) for p, q in zip(curve, curve[1:]))
 
 
 def rim_moved(rim, surface, size):
     """What the area may change by between the rim of the certificate and that of the surface."""
-    demand(len(rim) == len(surface), "the rim is not that of the surface")
     left, moved = [curve for curve, *_ in surface], 0.0
+    if len(rim) == 2 * len(left):
+        left = [half for curve in left for half in halves(curve)]
+    demand(len(rim) == len(left), "the rim is not that of the surface")
     for curve, *_ in rim:
         apart = [(min(distance(curve, other), distance(curve, other[::-1])), k) for k, other in enumerate(left)]
         nearest, k = min(apart)

@@ -99,6 +99,10 @@ const HIGHEST: usize = 12;
 /// Most coefficients of a potential: a dense system of this order takes seconds.
 const MOST_UNKNOWNS: usize = 2500;
 
+/// Faces are cut in four where the potential does not have more coefficients then: over one patch this brings the bound ten times nearer, and
+/// takes a second.
+const FEW_UNKNOWNS: usize = 700;
+
 /// Newton steps at most, and halvings of one: convergence is quadratic once near.
 const STEPS: usize = 40;
 const HALVINGS: i32 = 20;
@@ -114,7 +118,8 @@ const SHRINKING: [f64; 6] = [0.0, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5];
 ///
 /// For every continuous ψ with |∇ψ| ≤ 1 over the region Ω below the rim, `A ≥ ∮ z dψ + ∫_Ω √(1 − |∇ψ|²)`; ψ is taken of degree
 /// p + 3, at most 12 or p, on the faces, from the least-squares fit to the flux of the Coons surface by Newton's method. The faces
-/// are those of the Coons surface over the rim, or of the surface itself where the projection of that turns over.
+/// are those of the Coons surface over the rim, or of the surface itself where the projection of that turns over; a few are cut in
+/// four.
 ///
 /// # Errors
 /// [`NoBound`] says why there is none.
@@ -138,13 +143,11 @@ pub fn lower_bound_of_net(border: &Net, surface: &Net) -> Result<LowerBound, NoB
         }
         Ok(complex.with_points(points)?)
     });
-    let mut bound = of_first([one_face(border).map(|(complex, _)| complex), with_inside], degree)?;
-    // The border is that of the net but for the rounding of its raising, which moves the area by no more than what it sweeps.
-    let raised = (degree_of(surface) - border.degrees().0.min(border.degrees().1)) as f64;
-    let reach = border.points().iter().map(|p| p.norm()).fold(0.0, f64::max);
-    let length: f64 =
-        border.boundary().iter().flat_map(|side| side.windows(2)).map(|ends| ends[0].distance(ends[1])).sum();
-    bound.value -= 8.0 * raised * f64::EPSILON * reach * length;
+    let over_border = one_face(border).map(|(complex, _)| complex)?;
+    // The border is that of the net but for the rounding of its raising.
+    let raised = moved(&over_border, degree_of(surface) - border.degrees().0.min(border.degrees().1));
+    let mut bound = of_first([Ok(over_border), with_inside], degree)?;
+    bound.value -= raised;
     Ok(bound)
 }
 
@@ -155,12 +158,37 @@ fn of_first<const N: usize>(
 ) -> Result<LowerBound, NoBound> {
     let mut why = NoBound::NoGraph;
     for surface in surfaces {
-        match surface.and_then(|surface| of_faces(&surface, degree)) {
+        let bound = surface.and_then(|surface| match of_quarters(&surface, degree) {
+            Some(Ok(bound)) => Ok(bound),
+            Some(Err(_)) | None => of_faces(&surface, degree),
+        });
+        match bound {
             Ok(bound) => return Ok(bound),
             Err(error) => why = error,
         }
     }
     Err(why)
+}
+
+/// The bound over the faces of a complex cut in four, where there are few.
+fn of_quarters(complex: &Complex, degree: usize) -> Option<Result<LowerBound, NoBound>> {
+    let unknowns = complex.faces().len() * (2 * degree + 1).pow(2);
+    (unknowns <= FEW_UNKNOWNS).then(|| {
+        let mut bound = of_faces(&complex.halved()?, degree)?;
+        bound.value -= moved(complex, complex.degree());
+        Ok(bound)
+    })
+}
+
+/// What the area may change by when every control point of the rim is rounded a number of times: no more than what that sweeps.
+fn moved(complex: &Complex, roundings: usize) -> f64 {
+    let reach = complex.points().iter().map(|p| p.norm()).fold(0.0, f64::max);
+    let rim = (0..complex.edges().len()).filter(|&number| complex.edges()[number].uses().len() == 1);
+    let polygons = rim.map(|number| complex.edge_curve(number));
+    let length: f64 = polygons
+        .map(|curve| curve.points().windows(2).map(|ends| ends[0].distance(ends[1])).sum::<f64>())
+        .sum();
+    8.0 * roundings as f64 * f64::EPSILON * reach * length
 }
 
 /// The bound by a potential of a degree on the faces of a complex.

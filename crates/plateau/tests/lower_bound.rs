@@ -28,7 +28,28 @@ fn the_skew_quadrilateral_has_at_least_its_area() {
         assert!(bound.value <= least, "{degree}: {}", bound.value);
         gaps.push(least - bound.value);
     }
-    assert!(gaps[0] > gaps[1] && gaps[1] > gaps[2] && gaps[2] < 1e-10, "{gaps:?}");
+    // From degree 4 on what is left is the rounding that is taken off.
+    assert!(gaps[0] > gaps[1] && gaps[1].max(gaps[2]) < 1e-11, "{gaps:?}");
+}
+
+/// The gap to the least area of the saddle frame over one patch: cut in four, the potential follows its corners.
+#[test]
+fn one_patch_bounds_the_saddle_as_four_do() {
+    let side = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| [a, b, c].map(Point::from);
+    let least = 7.383505602602;
+    for (degree, most) in [(4, 2.6e-6), (6, 3.8e-8), (8, 5.4e-9)] {
+        let border = Net::from_boundary(
+            &side([-1., -1., 0.], [-1., 0., 2.], [-1., 1., 0.]),
+            &side([1., -1., 0.], [1., 0., 2.], [1., 1., 0.]),
+            &side([-1., -1., 0.], [0., -1., -2.], [1., -1., 0.]),
+            &side([-1., 1., 0.], [0., 1., -2.], [1., 1., 0.]),
+        )
+        .expect("four sides");
+        let surface = border.raised(degree - 2);
+        let bound = lower_bound_of_net(&border, &surface).expect("a graph");
+        assert_eq!((bound.competitors, bound.faces.len()), (Competitors::Surfaces, 4));
+        assert!((0.0..most).contains(&(least - bound.value)), "{degree}: {}", bound.value);
+    }
 }
 
 #[test]

@@ -32,6 +32,17 @@ impl Complex {
         cut.complex()
     }
 
+    /// The complex with every face cut in four by lines between the middles of its sides. Fixed edges stay on their curves, which are cut in
+    /// the middle; vertices keep their numbers, and new ones follow. The surface is the same but for rounding.
+    ///
+    /// # Errors
+    /// [`ComplexError::TooLarge`].
+    pub fn halved(&self) -> Result<Self, ComplexError> {
+        let mut cut = Refinement::of(self);
+        cut.halve(&(0..self.edges().len()).collect());
+        cut.complex()
+    }
+
     /// The edges to be halved so that no face has more than one of the corners, with all that are opposite to one of them in a face.
     fn between(&self, corners: &HashSet<usize>) -> HashSet<usize> {
         let mut halved = HashSet::new();
