@@ -85,6 +85,8 @@ fn watched_for<T: Send + 'static>(
     work: impl FnOnce(&dyn Progress) -> T + Send + 'static,
 ) -> PyResult<T> {
     let watch = Arc::new(Watch::default());
+    // Not all that takes its time says what it is.
+    watch.begin("working", None);
     let (ended, ends) = mpsc::channel::<()>();
     let worker = {
         let (pool, watch) = (pool()?, watch.clone());

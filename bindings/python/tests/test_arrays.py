@@ -76,17 +76,25 @@ def test_wrong_options_are_named(
     ("loops", "sentence"),
     [
         ([], "no loop"),
+        (pp.Curves([], []), "no loop"),
         (3, "a list of loops, not 3"),
         ([[[0, 0, 0], [1, 0, 0]]], r"at least 3. A loop of sides is a list in the list"),
         (np.zeros((4, 2)), r"loops\[0\] has shape \(4, 2\)"),
         ([[[0, 0, 0], [1, 0, 0], [np.nan, 1, 0]]], r"loops\[0\]\[2\] is not finite"),
         ([[[[0, 0, 0], [1, 0, 0]], [[1, 0], [0, 0]]]], r"loops\[0\]\[1\] has shape"),
-        ([[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [0.5, 1, 0]], [[0.5, 1, 0], [0, 0.5, 0]]]], "gap|apart|meet|open"),
+        ([[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [0.5, 1, 0]], [[0.5, 1, 0], [0, 0.5, 0]]]], "or `weld=.*` joins them"),
     ],
 )
 def test_wrong_loops_are_named(loops: object, sentence: str) -> None:
     with pytest.raises(pp.BoundaryError, match=sentence):
         pp.fill(loops)  # type: ignore[arg-type]
+
+
+def test_parameters_may_be_rounded_and_numbers_give_numbers() -> None:
+    strip = pp.helicoid(1.0, 0.0, u_span=0.3, v_span=1.0)
+    (end,) = strip.evaluate([3 * 0.1], 0.0)
+    assert 3 * 0.1 > 0.3 and (end == strip.evaluate(0.3, 0.0)).all()
+    assert f"{strip.gauss_curvature(0.0, 0.0):.6f}" == "-1.000000" and isinstance(strip.mean_curvature(0, 0), float)
 
 
 def test_wrong_parameters_are_named(sides: dict[str, np.ndarray]) -> None:
@@ -121,6 +129,7 @@ def test_one_loop_may_stand_by_itself() -> None:
         (lambda sides: pp.gt(*sides, shape=1.0), "shape is 1.0; a list of numbers"),
         (lambda sides: pp.gt(*sides, shape=(1, 1, 1, np.nan)), "shape is nan; a finite number"),
         (lambda sides: pp.mask(*sides, alpha="a"), "alpha is 'a'"),
+        (lambda sides: pp.Curve("line", sides[0]), "'line' is no kind of curve"),
         (lambda sides: pp.Curve.circle(0, 1, 1), "the centre of the circle is 0; three"),
         (lambda sides: pp.Curve.circle([0, 0, 0], [0, 0, 1], "1"), "the radius of the circle is '1'"),
         (lambda sides: pp.Curve.spline(sides[0], [[0]], 2), r"knots of shape \(1, 1\)"),

@@ -93,7 +93,12 @@ def test_progress_is_told_and_may_end_the_work() -> None:
     sides += [[[0, 0, 0], [0, 2, 2], [0, 4, -2], [0, 6, 0]], [[6, 0, 0], [6, 2, 2], [6, 4, -2], [6, 6, 0]]]
     with pytest.raises(Enough):
         pp.gt(*sides, degree=9, runs=200, iterations=400, progress=progress)
-    assert len(told) == 1 and told[0][0] and t.size
+    assert len(told) == 1 and told[0][0]
+    told.clear()
+    loop = np.stack([np.cos(t), np.sin(t), 0.5 * np.cos(9.0 * t)], axis=1)
+    with pytest.raises(Enough):
+        pp.fill(loop, degree=14, name="rim", progress=progress)
+    assert [what for what, *_ in told] == ["filling of rim"]
 
 
 def _area(degree: int) -> float:

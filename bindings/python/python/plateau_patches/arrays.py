@@ -72,14 +72,17 @@ def parameters(
     except ValueError:
         raise BoundaryError(f"u and v of shapes {np.shape(u)} and {np.shape(v)} do not broadcast") from None
     pairs = np.stack([us.ravel(), vs.ravel()], axis=1)
+    low, high = np.array(domain or ((0.0, 1.0), (0.0, 1.0))).T
     if domain is None:
         inside = (pairs >= 0.0).all(axis=1) & (pairs.sum(axis=1) <= 1.0 + 1e-12)
         where = "the triangle u, v ≥ 0, u + v ≤ 1"
     else:
         (u0, u1), (v0, v1) = domain
-        inside = ((pairs >= (u0, v0)) & (pairs <= (u1, v1))).all(axis=1)
+        # 3 · 0.1 is a little more than 0.3.
+        inside = (np.abs(pairs - 0.5 * (low + high)) <= (0.5 + 1e-12) * (high - low)).all(axis=1)
         where = f"[{u0:g}, {u1:g}] × [{v0:g}, {v1:g}]"
     if not inside.all():
         first = pairs[int(np.argmin(inside))].tolist()
         raise BoundaryError(f"(u, v) = ({first[0]}, {first[1]}) lies outside of the domain {where}")
+    np.clip(pairs, low, high, out=pairs)
     return pairs, us.shape

@@ -41,6 +41,11 @@ class Curve:
     name: str = ""
     """What its file calls it."""
 
+    def __post_init__(self) -> None:
+        if self.kind not in ("polyline", "spline", "arc"):
+            raise BoundaryError(f"{self.kind!r} is no kind of curve; give polyline, spline or arc")
+        object.__setattr__(self, "points", points(self.points, self.name or f"the {self.kind}"))
+
     @staticmethod
     def polyline(points_: npt.ArrayLike, *, closed: bool = False, name: str = "") -> Curve:
         """Points (n, 3), joined by straight lines where the direction turns like a corner, else samples of a smooth curve."""

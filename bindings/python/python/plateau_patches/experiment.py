@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
+from html import escape
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
@@ -126,7 +127,7 @@ class Results(Mapping[str, Surface]):
         pictures = {name: svg for name, _, svg in _engine.page(self.title, done, [], "")[1]}
         head = "<tr><th>method</th><th>area</th><th>error</th></tr>"
         rows = "".join(
-            f"<tr><td>{name}</td><td>{self[name].area:.10g}</td><td>{self[name].area_error:.1e}</td></tr>"
+            f"<tr><td>{escape(name)}</td><td>{self[name].area:.10g}</td><td>{self[name].area_error:.1e}</td></tr>"
             for name in self
             if name not in self.failures
         )

@@ -134,13 +134,18 @@ def fill(
     assert loops is not None
     notes = list(loops.notes) if isinstance(loops, Curves) else []
     all_curves = list(loops) if isinstance(loops, Curves) else _curves(loops)
-    handle, more = _engine.fill_loops(all_curves, options, progress)
+    if not all_curves:
+        raise BoundaryError("there is no loop")
+    try:
+        handle, more = _engine.fill_loops(all_curves, options, progress)
+    except BoundaryError as error:
+        raise BoundaryError(_in_python(str(error))) from None
     return Surface(handle, warnings=notes + [_in_python(note) for note in more])
 
 
 def _in_python(note: str) -> str:
     """A sentence that names options of the command, with those of :func:`fill`."""
-    return re.sub(r"--(weld|corner-angle) (\S+?)(?=[\s);,]|$)", lambda m: f"{m[1].replace('-', '_')}={m[2]}", note)
+    return re.sub(r"--(weld|corner-angle) (\S+?)(?=[\s);,`]|$)", lambda m: f"{m[1].replace('-', '_')}={m[2]}", note)
 
 
 def _curves(loops: Any) -> list[Curve]:
@@ -163,8 +168,6 @@ def _curves(loops: Any) -> list[Curve]:
             found.append(Curve.polyline(polyline, closed=True))
         else:
             found.extend(_side(side, f"loops[{k}][{s}]") for s, side in enumerate(loop))
-    if not found:
-        raise BoundaryError("there is no loop")
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 from functools import cached_property
+from html import escape
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -79,15 +80,16 @@ class Face:
         at, shape = parameters(u, v, self.domain)
         return self._handle.curvatures(self._index, at)[0].reshape(*shape, 3)
 
-    def mean_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Floats:
-        """Mean curvature, 1/length, of the shape that ``u`` and ``v`` broadcast to; not a number where there is none."""
+    def mean_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Any:
+        """Mean curvature, 1/length, of the shape that ``u`` and ``v`` broadcast to, of two numbers a number; not a number where
+        there is none."""
         at, shape = parameters(u, v, self.domain)
-        return self._handle.curvatures(self._index, at)[1].reshape(shape)
+        return self._handle.curvatures(self._index, at)[1].reshape(shape)[()]
 
-    def gauss_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Floats:
+    def gauss_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Any:
         """Gauss curvature, 1/length², like :meth:`mean_curvature`."""
         at, shape = parameters(u, v, self.domain)
-        return self._handle.curvatures(self._index, at)[2].reshape(shape)
+        return self._handle.curvatures(self._index, at)[2].reshape(shape)[()]
 
     def __repr__(self) -> str:
         points = "×".join(str(count) for count in self.net.shape[:-1])
@@ -240,11 +242,12 @@ class Surface:
         """Unit normals, of the shape of :meth:`evaluate`; not a number where the patch is singular."""
         return self._only_face().normals(u, v)
 
-    def mean_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Floats:
-        """Mean curvature, 1/length, of the shape that ``u`` and ``v`` broadcast to; not a number where there is none."""
+    def mean_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Any:
+        """Mean curvature, 1/length, of the shape that ``u`` and ``v`` broadcast to, of two numbers a number; not a number where
+        there is none."""
         return self._only_face().mean_curvature(u, v)
 
-    def gauss_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Floats:
+    def gauss_curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Any:
         """Gauss curvature, 1/length², like :meth:`mean_curvature`."""
         return self._only_face().gauss_curvature(u, v)
 
@@ -346,7 +349,7 @@ class Surface:
             rows.append(("kink", f"at most {self.kink.max:.2e} rad"))
         if self.second_variation is not None:
             rows.append(("second variation", f"{self.second_variation:.6g}"))
-        return [*rows, *(("warning", _escaped(warning)) for warning in self.warnings)]
+        return [*rows, *(("warning", escape(warning)) for warning in self.warnings)]
 
     def __repr__(self) -> str:
         count = len(self.nets)
@@ -381,7 +384,3 @@ def _library(name: str) -> Any:
         return importlib.import_module(name)
     except ImportError:
         raise ImportError(f"{name} is not installed: pip install {name}") from None
-
-
-def _escaped(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;")
