@@ -1,6 +1,8 @@
 //! What a reader must know before trusting a figure.
 
-use crate::{AreaEnd, AreaExtremal, Figures, Search, SearchOutcome, SolveFigures, Solved, Warning};
+use crate::{
+    AreaEnd, AreaExtremal, Figures, Search, SearchOutcome, SolveFigures, Solved, ValleyEnd, Warning,
+};
 
 /// Condition beyond which the last digits printed are no longer certain.
 const ILL_CONDITIONED: f64 = 1e10;
@@ -94,6 +96,9 @@ fn of_least_area(found: &AreaExtremal, warnings: &mut Vec<Warning>) {
     if !found.area.settled {
         let (points, error, gradient) = (found.area.points, found.area.error, found.gradient);
         warnings.push(Warning::AreaRule { points, error, gradient });
+    }
+    if found.valley == ValleyEnd::Far {
+        warnings.push(Warning::FarNet);
     }
     if found.second_variation.is_some_and(|smallest| smallest < 0.0) {
         warnings.push(Warning::Unstable);

@@ -145,6 +145,12 @@ pub enum Warning {
         /// Gradient of the area over √area.
         gradient: f64,
     },
+    /// No net of nearly the least area has its control points near the border and an even parametrisation.
+    #[error(
+        "control points lie further from the boundary than its size, or the parametrisation nearly folds: the area asks for it, and \
+         no surface near has neither; figures of the parametrisation are not sure"
+    )]
+    FarNet,
     /// A negative second variation of the area.
     #[error(
         "the surface is not a stable minimum: its second variation is negative along the normal; another surface over the \
@@ -312,6 +318,7 @@ impl Warning {
             Self::Cancellation { .. } => Some("lower the degree"),
             Self::AreaNotReached { .. } => Some("raise the degree, or loosen the tolerance"),
             Self::AreaRule { .. } => Some("try another degree or another start"),
+            Self::FarNet => Some("cut the boundary into several patches, or lower the degree"),
             Self::Unstable => Some("raise the degree, or move the start"),
             Self::NoArea { .. } => Some("check the boundary: its curves may coincide"),
             Self::AreaUnsettled { .. } => Some("look at the surface; another degree may unfold it"),

@@ -6,10 +6,10 @@ mod frames;
 use std::ops::Range;
 
 use energy::{Functional, MetricForm, QuadraticForm, area};
-use frames::{CHANGES, Change, Kind, frame, triangle};
+use frames::{CHANGES, Change, Kind, frame, sheet, triangle};
 use plateau::{AreaExtremal, Figures, least_area, least_area_raised, least_area_triangle};
 use solve::{Partition, solve_partitioned};
-use surfaces::{Mesh, Net, Patch, TensorPatch, TrianglePatch, discrete_coons};
+use surfaces::{Mesh, Net, Patch, Point, TensorPatch, TrianglePatch, discrete_coons};
 
 const DEFAULT: f64 = 1e-10;
 
@@ -106,6 +106,54 @@ fn raising_never_enlarges() {
         }
     }
     assert!(enlarged.is_empty(), "{}", enlarged.join("\n"));
+}
+
+/// The least over the mean area density on a grid, which holds the border.
+fn evenness(patch: &TensorPatch) -> f64 {
+    let grid = || (0..=40).map(|k| f64::from(k) / 40.0);
+    let density = |u, v| {
+        let jet = patch.jet(u, v);
+        jet.u.cross(jet.v).norm()
+    };
+    let densities: Vec<f64> = grid().flat_map(|u| grid().map(move |v| density(u, v))).collect();
+    densities.iter().copied().fold(f64::INFINITY, f64::min) * densities.len() as f64
+        / densities.iter().sum::<f64>()
+}
+
+/// How far the furthest control point lies from the box of the border, over its longest edge.
+fn sizes_outside(net: &Net) -> f64 {
+    let border = net.boundary().concat();
+    let coordinates = |p: &Point| [p.x, p.y, p.z];
+    let range = |k: usize| {
+        let of = border.iter().map(|p| coordinates(p)[k]);
+        (of.clone().fold(f64::INFINITY, f64::min), of.fold(f64::NEG_INFINITY, f64::max))
+    };
+    let ranges = [0, 1, 2].map(range);
+    let size = ranges.iter().map(|(low, high)| high - low).fold(0.0, f64::max);
+    let outside = |p: &Point| {
+        let beyond = |(c, (low, high)): (f64, (f64, f64))| (low - c).max(c - high).max(0.0);
+        coordinates(p).into_iter().zip(ranges).map(beyond).map(|d| d * d).sum::<f64>().sqrt()
+    };
+    net.points().iter().map(outside).fold(0.0, f64::max) / size
+}
+
+#[test]
+fn nets_of_tame_frames_stay_even_and_near() {
+    let (mut wild, mut dear) = (Vec::new(), Vec::new());
+    for seed in seeds(40) {
+        let net = sheet(seed);
+        let [u0, u1, v0, v1] = net.boundary();
+        let coons = TensorPatch::bernstein(discrete_coons(&u0, &u1, &v0, &v1).unwrap()).unwrap();
+        let (patch, found) = least(&net);
+        let (ratio, far) = (evenness(&patch) / evenness(&coons), sizes_outside(patch.net()));
+        if ratio < 0.1 || far > 1.0 {
+            wild.push(format!("{seed} {:?}: ratio {ratio:.2}, {far:.2} sizes; {found:?}", net.degrees()));
+        }
+        if found.given_up > 5e-4 * found.area.value {
+            dear.push(format!("{seed} {:?}: {found:?}", net.degrees()));
+        }
+    }
+    assert!(wild.is_empty() && dear.is_empty(), "{}\n{}", wild.join("\n"), dear.join("\n"));
 }
 
 /// Area, D, bending, Laplacian defect and max |H| in the unit of the frame before it was scaled.

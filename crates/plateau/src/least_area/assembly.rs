@@ -208,7 +208,13 @@ impl Unknowns {
 
     /// Adds `factor` times the Dirichlet product of displacements, the metrics over the free nodes of each cell, to matrices
     /// in these unknowns.
-    fn add_metrics(&self, topology: &Topology, factor: f64, metrics: &[Vec<f64>], matrices: &mut [Vec<f64>]) {
+    pub(super) fn add_metrics(
+        &self,
+        topology: &Topology,
+        factor: f64,
+        metrics: &[Vec<f64>],
+        matrices: &mut [Vec<f64>],
+    ) {
         for (cell, (metric, matrix)) in metrics.iter().zip(matrices).enumerate() {
             let moving: Vec<Freedom> =
                 self.of_cell(topology, cell).into_iter().filter(|f| *f != Freedom::Fixed).collect();

@@ -1,10 +1,10 @@
 //! Complexes of quadrilateral patches that share edges.
 
-use bases::Bernstein;
+use bases::{Bernstein, Matrix};
 use energy::{Cell, ProductCell};
 use surfaces::{Complex, Net, Patch, Point, Product, TensorPatch, discrete_coons};
 
-use super::family::{Family, curve_nodes, displaced, inner_curve, net_nodes};
+use super::family::{Family, curve_nodes, displaced, inner_curve, net_nodes, of_nets};
 use super::space::{Frame, Space, Topology};
 use crate::MethodError;
 
@@ -140,6 +140,11 @@ impl Space for Glued<'_> {
             }
         }
         Ok(self.complex.with_points(points)?)
+    }
+
+    fn control(&self) -> Result<Matrix, MethodError> {
+        let of_edges = self.family.coefficients()?;
+        Ok(of_nets(&of_edges, &of_edges))
     }
 
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {

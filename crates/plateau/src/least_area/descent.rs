@@ -39,6 +39,10 @@ pub(super) const ROUNDING: f64 = 1e-14;
 const ROUGH: f64 = 0.1;
 const LEAST_ROUGH: f64 = 1e-11;
 
+/// Relative change of the area by a finer rule below which the rule is said to resolve it; a tenth of the tolerance where that
+/// is more.
+const RESOLVED: f64 = 1e-9;
+
 /// A surface on its way down.
 pub(super) struct Descent<'a, 'p, S: Space> {
     pub(super) rules: Rules<'a, S>,
@@ -66,11 +70,13 @@ pub(super) struct Reached {
     pub(super) normal_steps: Stage,
     pub(super) end: AreaEnd,
     pub(super) valley: ValleyEnd,
+    /// What control points far from the border had less area.
+    pub(super) beyond: f64,
 }
 
 impl Reached {
     /// A surface from which nothing was done yet.
-    fn new(surface: Known) -> Self {
+    pub(super) fn new(surface: Known) -> Self {
         Self {
             surface,
             corrections: Stage::default(),
@@ -78,6 +84,7 @@ impl Reached {
             normal_steps: Stage::default(),
             end: AreaEnd::Stationary,
             valley: ValleyEnd::Rounding,
+            beyond: 0.0,
         }
     }
 }
@@ -124,11 +131,13 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
             return Ok(reached);
         }
         self.rough = self.rules.first();
+        let first = reached.surface.clone();
         self.corrections(&mut reached)?;
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
         let most = STEPS + (MORE_STEPS * digits) as usize;
         self.steps(&mut reached, reference, if near { TRUSTED_SHIFT } else { FIRST_SHIFT }, most)?;
         self.normal_steps(&mut reached)?;
+        self.within_reach(&mut reached, reference, first)?;
         Ok(reached)
     }
 
@@ -168,6 +177,11 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
             self.rough = Rules::<S>::next(self.rough);
         }
         Ok((self.rules.cell(here.points)?, here.tangents.clone()))
+    }
+
+    /// Whether the rule of a surface integrates it.
+    pub(super) fn resolves(&self, surface: &Known) -> bool {
+        surface.error <= RESOLVED.max(0.1 * self.tolerance) * surface.area()
     }
 
     /// The surface reached at the rule of `points`.

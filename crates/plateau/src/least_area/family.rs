@@ -60,6 +60,11 @@ impl Family {
         })
     }
 
+    /// The coefficients of the functions that are 1 at one node: (n + 1)².
+    pub(super) fn coefficients(&self) -> Result<Matrix, MethodError> {
+        inverse(&self.values)
+    }
+
     pub(super) fn count(&self) -> usize {
         self.nodes.len()
     }
@@ -93,6 +98,14 @@ fn transformed(left: &Matrix, net: &[Point], right: &Matrix) -> Vec<Point> {
         .flat_map(|i| (0..width).map(move |j| (i, j)))
         .map(|(i, j)| sum(left.row(i), &|k| across[k * width + j]))
         .collect()
+}
+
+/// The product of what two matrices do to the rows and columns of a net.
+pub(super) fn of_nets(left: &Matrix, right: &Matrix) -> Matrix {
+    let (rows, columns) = (right.rows(), right.cols());
+    Matrix::from_fn(left.rows() * rows, left.cols() * columns, |a, b| {
+        left[(a / rows, b / columns)] * right[(a % rows, b % columns)]
+    })
 }
 
 /// The values at the nodes of `curve`, given by its coefficients.

@@ -21,10 +21,6 @@ const SADDLES: usize = 3;
 const LEAVE: f64 = 0.1;
 const HALVINGS: usize = 6;
 
-/// Relative change of the area by a finer rule below which the rule is said to resolve it; a tenth of the tolerance where that
-/// is more.
-const RESOLVED: f64 = 1e-9;
-
 /// The form of the Dirichlet energy over the unit square.
 const SQUARES: [f64; 3] = [1.0, 0.0, 1.0];
 
@@ -183,7 +179,7 @@ fn extremal<S: Space>(
             value: surface.area() * square,
             error: (surface.error + 64.0 * f64::EPSILON * surface.area()) * square,
             points: surface.points,
-            settled: surface.error <= RESOLVED.max(0.1 * descent.tolerance) * surface.area(),
+            settled: descent.resolves(surface),
         },
         start: start * square,
         from: Start::Coons,
@@ -200,6 +196,7 @@ fn extremal<S: Space>(
         second_variation,
         left_saddle,
         cutting_gains: 0.0,
+        given_up: reached.beyond.max(0.0) * square,
     }
 }
 

@@ -16,6 +16,7 @@ mod minimisation;
 mod normal_steps;
 mod outcome;
 mod raised;
+mod reach;
 mod rules;
 mod space;
 mod stability;

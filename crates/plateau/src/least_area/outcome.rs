@@ -45,6 +45,9 @@ pub struct AreaExtremal {
     pub left_saddle: bool,
     /// What cutting an elongated patch across would gain, as far as it was tried; 0 if it was not.
     pub cutting_gains: f64,
+    /// The area that was given up so that no control point lies far from the border and the parametrisation stays even (unit:
+    /// length²): what a smaller tolerance gains at least. 0 if nothing was.
+    pub given_up: f64,
 }
 
 impl AreaExtremal {
@@ -54,7 +57,11 @@ impl AreaExtremal {
 
     /// Why it ended, in words.
     pub fn reason(&self) -> String {
-        format!("{}; {}", self.end, self.valley)
+        let given_up = match self.given_up > 0.0 {
+            true => format!(", which would gain {:.0e} of the area", self.given_up / self.area.value),
+            false => String::new(),
+        };
+        format!("{}; {}{given_up}", self.end, self.valley)
     }
 }
 
@@ -104,6 +111,12 @@ pub enum ValleyEnd {
     Ratio,
     /// All steps that are allowed were made.
     Budget,
+    /// The control points were kept within the size of the border from it, and the parametrisation as even as a tenth of the
+    /// start's.
+    Reach,
+    /// Control points lie further from the border than its size, or the parametrisation is less even than a tenth of the
+    /// start's, and no surface near was found where neither is so.
+    Far,
 }
 
 impl fmt::Display for Start {
@@ -135,6 +148,10 @@ impl fmt::Display for ValleyEnd {
             Self::Rounding => "moving points along the surface gains no more than rounding",
             Self::Ratio => "moving points further along the surface would nearly fold the parametrisation",
             Self::Budget => "all steps that may move points along the surface were made",
+            Self::Reach => {
+                "moving points further along the surface would nearly fold it, or lead control points far from the border"
+            }
+            Self::Far => "control points lie far from the border, or the surface nearly folds",
         })
     }
 }

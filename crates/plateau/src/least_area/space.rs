@@ -1,5 +1,6 @@
 //! Surfaces known by their points at nodes.
 
+use bases::Matrix;
 use energy::Cell;
 use surfaces::{Patch, Point};
 
@@ -32,6 +33,9 @@ pub(super) trait Space {
 
     /// The surface with these points at the nodes; its border is as given, to the last bit.
     fn surface(&self, x: &[Point]) -> Result<Self::Surface, MethodError>;
+
+    /// The matrix from the points of a cell at its nodes to its control points: (nodes)².
+    fn control(&self) -> Result<Matrix, MethodError>;
 
     /// The cells as patches, with the points `x` at the nodes.
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError>;

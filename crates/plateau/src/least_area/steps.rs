@@ -31,14 +31,20 @@ const LAST_SHIFT: f64 = 1e-7;
 
 /// Share of the start's evenness (least over mean of the area densities) below which steps do not lead, from a tolerance of
 /// [`LOOSE`] on; four digits less for every digit below it, where the area counts for more than the parametrisation.
-const EVENNESS: f64 = 0.1;
+pub(super) const EVENNESS: f64 = 0.1;
 const LESS_EVEN: f64 = 4.0;
 
+/// By what the floor of the steps is above that, so that the steps along the normals that follow do not lead below.
+const MARGIN: f64 = 1.25;
+
+/// Steps that lead to surfaces that no rule integrates, after which no other is tried.
+const UNRESOLVED: usize = 4;
+
 /// What a step is made of beside the gradient: the metric of the surface by a rule, with the Hessians that the descent keeps.
-struct Model {
+pub(super) struct Model {
     cell: Rc<dyn Cell>,
     tangents: Tangents,
-    metrics: Vec<Vec<f64>>,
+    pub(super) metrics: Vec<Vec<f64>>,
 }
 
 /// Where a step may lead, by the rule of the steps.
@@ -56,13 +62,14 @@ struct Bounds<'x> {
     floor: f64,
     idle: usize,
     last: usize,
+    unresolved: usize,
 }
 
 impl<S: Space> Descent<'_, '_, S> {
     /// The least evenness of steps from the lesser of two surfaces.
     fn floor(&mut self, points: usize, [first, second]: [&[Point]; 2]) -> Result<f64, MethodError> {
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
-        let share = EVENNESS * 10f64.powf(-LESS_EVEN * digits);
+        let share = MARGIN * EVENNESS * 10f64.powf(-LESS_EVEN * digits);
         let [first, second] = [self.rules.fine(points, first)?, self.rules.fine(points, second)?];
         Ok(share * first.evenness.min(second.evenness))
     }
@@ -79,7 +86,7 @@ impl<S: Space> Descent<'_, '_, S> {
         let first = reached.surface.x.clone();
         let from = [reference, first.as_slice()];
         let floor = self.floor(reached.surface.points, from)?;
-        let mut bounds = Bounds { from, floor, idle: 0, last: 0 };
+        let mut bounds = Bounds { from, floor, idle: 0, last: 0, unresolved: 0 };
         reached.valley = ValleyEnd::Budget;
         self.least_shift = LEAST_SHIFT;
         for _ in 0..most {
@@ -117,6 +124,12 @@ impl<S: Space> Descent<'_, '_, S> {
                 *shift *= 4.0;
                 return Ok(None);
             }
+        }
+        // Nor is it one where not even the largest rule integrates the surface that it leads to.
+        if self.resolves(&reached.surface) && !self.resolves(&next) {
+            *shift = shift.max(1e-8) * 4.0;
+            bounds.unresolved += 1;
+            return Ok((bounds.unresolved == UNRESOLVED).then_some(ValleyEnd::Ratio));
         }
         let gained = reached.surface.area() - next.area();
         reached.steps.steps += 1;
@@ -191,7 +204,7 @@ impl<S: Space> Descent<'_, '_, S> {
     }
 
     /// The Hessians and the metric of a surface; none where it is singular.
-    fn model(&mut self, here: &Known) -> Result<Option<Model>, MethodError> {
+    pub(super) fn model(&mut self, here: &Known) -> Result<Option<Model>, MethodError> {
         let (cell, tangents) = self.rough(here)?;
         let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
         let all = self.all.clone();

@@ -6,7 +6,7 @@ use bases::{Basis, Bernstein, GaussLegendre, Matrix};
 use energy::{Cell, EnergyError, ProductCell, SampledCell};
 use surfaces::{Net, Patch, Point, Product, TensorPatch, discrete_coons};
 
-use super::family::{Family, displaced, inverse, net_nodes};
+use super::family::{Family, displaced, inverse, net_nodes, of_nets};
 use super::space::{Frame, Space, Topology};
 use crate::MethodError;
 
@@ -105,6 +105,10 @@ impl Space for Separated {
     fn surface(&self, x: &[Point]) -> Result<TensorPatch, MethodError> {
         let inner = displaced([&self.u, &self.v], &self.base, &self.base_nodes, x);
         with_inner(&self.patch, &self.frame, &inner)
+    }
+
+    fn control(&self) -> Result<Matrix, MethodError> {
+        Ok(of_nets(&self.u.coefficients()?, &self.v.coefficients()?))
     }
 
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {
@@ -223,6 +227,10 @@ impl Space for Sums {
 
     fn surface(&self, x: &[Point]) -> Result<TensorPatch, MethodError> {
         with_inner(&self.patch, &self.frame, &times(&self.back, x))
+    }
+
+    fn control(&self) -> Result<Matrix, MethodError> {
+        Ok(self.back.clone())
     }
 
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {

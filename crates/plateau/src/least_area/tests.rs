@@ -65,7 +65,8 @@ fn bicubic_nets_and_their_raised_ones() {
         assert!(found.area.settled && found.gradient <= 2e-8, "{found:?}");
         let (_, quick) =
             least_area(&TensorPatch::bernstein(bicubic(s).raised(raise)).unwrap(), DEFAULT, &()).unwrap();
-        assert!(quick.iterations <= if raise == 0 { 15 } else { 50 }, "{quick:?}");
+        // Of the raised nets the control points would lie far away: they are pulled near, which is half of these steps.
+        assert!(quick.iterations <= if raise == 0 { 15 } else { 80 }, "{quick:?}");
         assert!(quick.area.value / found.area.value - 1.0 <= 1e-7, "{quick:?}");
         assert!(found.second_variation.is_some_and(|sigma| (0.8..1.0).contains(&sigma)), "{found:?}");
         assert!((area(&patch).unwrap().value - found.area.value).abs() <= 1e-9);

@@ -130,6 +130,10 @@ impl Space for Triangular {
         Ok(TrianglePatch::new(self.net.with_coordinates(&coordinates)?)?)
     }
 
+    fn control(&self) -> Result<Matrix, MethodError> {
+        Ok(self.back.clone())
+    }
+
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {
         let net = TriangleNet::new(self.net.degree(), times(&self.back, x))?;
         Ok(vec![Box::new(TrianglePatch::new(net)?)])

@@ -77,6 +77,20 @@ pub(crate) fn frame(seed: u64) -> (Kind, Net) {
     (kind, Net::from_boundary(&row(0), &row(m), &column(0), &column(n)).unwrap())
 }
 
+/// The border of a sheet whose heights are a tenth of its width, degrees 2 … 9, every control point moved by itself.
+pub(crate) fn sheet(seed: u64) -> Net {
+    let mut stream = Stream::new(seed);
+    let (m, n) = (2 + stream.below(8), 2 + stream.below(8));
+    let mut point = |i: usize, j: usize| {
+        let (s, t) = (i as f64 / m as f64, j as f64 / n as f64);
+        let bump = Point::new(0.08 * stream.signed(), 0.08 * stream.signed(), 0.3 * stream.signed());
+        Point::new(3.0 * s, 3.0 * t, 0.0) + bump
+    };
+    let points: Vec<Vec<Point>> = (0..=m).map(|i| (0..=n).map(|j| point(i, j)).collect()).collect();
+    let column = |j: usize| points.iter().map(|row| row[j]).collect::<Vec<_>>();
+    Net::from_boundary(&points[0], &points[m], &column(0), &column(n)).unwrap()
+}
+
 /// The border of a bumpy triangle, degrees 3 … 9.
 pub(crate) fn triangle(seed: u64) -> TriangleNet {
     let mut stream = Stream::new(seed ^ 0x5555);
