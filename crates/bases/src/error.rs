@@ -17,7 +17,7 @@ pub enum BasisError {
         max: usize,
     },
     /// A shape parameter of the GT basis makes a function negative or is not a number.
-    #[error("GT shape parameter θ{index} = {value} is outside [0, 4], where the basis is nonnegative")]
+    #[error("GT shape parameter θ{index} = {value:?} is outside [0, 4], where the basis is nonnegative")]
     Shape {
         /// 1 for θ1 (acts at t = 0), 2 for θ2 (acts at t = 1).
         index: usize,
@@ -31,7 +31,7 @@ pub enum BasisError {
     Dependent,
     /// The span of an AHT or AT basis is too short, not a number, or at or beyond the sharp bound.
     #[error(
-        "span α = {span} of the {family} basis is outside {min} ≤ α < {supremum} ({meaning}), where its functions are \
+        "span α = {span:?} of the {family} basis is outside {min:?} ≤ α < {supremum:?} ({meaning}), where its functions are \
          positive; split longer intervals into equal pieces"
     )]
     Span {
@@ -53,7 +53,7 @@ pub enum BasisError {
     )]
     NotSubdivisible,
     /// A family cannot be cut at an end of its domain, outside it or at what is not a number.
-    #[error("cannot subdivide at {cut}: it must lie strictly between {start} and {end}")]
+    #[error("cannot subdivide at {cut:?}: it must lie strictly between {start:?} and {end:?}")]
     Cut {
         /// The parameter asked for.
         cut: f64,
@@ -85,7 +85,7 @@ pub enum BasisError {
         part: usize,
     },
     /// An interval is empty or not finite.
-    #[error("an interval needs start < end, both finite; got [{start}, {end}]")]
+    #[error("an interval needs start < end, both finite; got [{start:?}, {end:?}]")]
     Interval {
         /// Its start.
         start: f64,

@@ -15,7 +15,7 @@ pub enum EnergyError {
     Complex(#[from] surfaces::ComplexError),
     /// The chart is singular where the energy needs its normal or its metric.
     #[error(
-        "the patch is singular at (u, v) = ({u}, {v}): x_u and x_v are parallel there (EG − F² = 0), as where it folds over between \
+        "the patch is singular at (u, v) = ({u:?}, {v:?}): x_u and x_v are parallel there (EG − F² = 0), as where it folds over between \
          sides that cross, or where control points are coincident or collinear"
     )]
     Singular {

@@ -29,7 +29,7 @@ pub enum BoundsError {
     },
     /// A bound is NaN, infinite, or beyond [`MAX_BOUND`].
     #[error(
-        "the {side} bound of component {index} is {value}; it must be finite and at most 1e150 in magnitude"
+        "the {side} bound of component {index} is {value:?}; it must be finite and at most 1e150 in magnitude"
     )]
     NotFinite {
         /// `"lower"` or `"upper"`.
@@ -40,7 +40,7 @@ pub enum BoundsError {
         value: f64,
     },
     /// A side is empty or a single number.
-    #[error("component {index} has lower bound {lower}, not below its upper bound {upper}")]
+    #[error("component {index} has lower bound {lower:?}, not below its upper bound {upper:?}")]
     Order {
         /// The component.
         index: usize,
@@ -58,7 +58,7 @@ pub enum BoundsError {
         found: usize,
     },
     /// A point lies outside the box, or is NaN.
-    #[error("component {index} of the point is {value}, outside [{lower}, {upper}]")]
+    #[error("component {index} of the point is {value:?}, outside [{lower:?}, {upper:?}]")]
     Outside {
         /// The component.
         index: usize,

@@ -94,7 +94,7 @@ pub enum PsoError {
         limit: usize,
     },
     /// A coefficient is NaN or outside its range.
-    #[error("{name} is {value}; it must lie in [0, {limit}]")]
+    #[error("{name} is {value:?}; it must lie in [0, {limit:?}]")]
     Coefficient {
         /// The parameter.
         name: &'static str,

@@ -7,6 +7,7 @@ use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, read_curves}
 use experiment::{ImportError, ImportOptions, Options, Plan};
 use plateau::{AreaEnd, Fill, Film, MethodError, Warning, Way};
 use record::{Destination, ExportError, ResultFile};
+use show::Form;
 
 use crate::command::FillArguments;
 use crate::conversion::contents;
@@ -184,7 +185,7 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
     let area = film.figures.area;
     row("area", format!("{} ± {:.1e}", digits(area.value), area.error))?;
     if let Some(estimate) = film.estimate {
-        row("least area", format!("about {estimate:.1e} less (estimated)"))?;
+        row("least area", format!("about {} less (estimated)", Form::Order.of(estimate)))?;
     }
     if let Some(bound) = &film.bound {
         row("least area", format!("≥ {}, proved of {}", digits(bound.value), bound.competitors.name()))?;
@@ -200,7 +201,7 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
     };
     row("faces", format!("{faces} of degree {degree}: {}{layers}", way(film.way)))?;
     if let Some(kink) = film.seams.kink {
-        let degrees = |angle: f64| short(angle.to_degrees());
+        let degrees = |angle: f64| Form::Significant(2).of(angle.to_degrees());
         row("kink", format!("at most {}°, root mean square {}°", degrees(kink.max), degrees(kink.rms)))?;
     }
     row("Jacobian ratio", format!("{:.2}", film.seams.jacobian_ratio))?;
@@ -239,29 +240,13 @@ fn way(way: Way) -> &'static str {
     }
 }
 
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
-}
-
-/// Two digits.
-fn short(x: f64) -> String {
-    if x < 1e-2 {
-        format!("{x:.1e}")
-    } else {
-        format!("{:.*}", usize::from(x < 10.0) + usize::from(x < 1.0), x)
-    }
-}
-
 /// Twelve significant digits.
 fn digits(x: f64) -> String {
-    let exponent = exponent(x);
-    let decimals = usize::try_from(11 - exponent).unwrap_or(0);
-    if (-5..12).contains(&exponent) { format!("{x:.decimals$}") } else { format!("{x:.11e}") }
+    Form::Significant(12).of(x)
 }
 
-/// The power of ten of the first digit.
-fn exponent(x: f64) -> i32 {
-    format!("{x:e}").rsplit_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+fn counted(count: usize, what: &str) -> String {
+    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }
 
 fn names(files: &[PathBuf]) -> String {

@@ -1,6 +1,7 @@
 //! Ctrl-C, and being asked to end by the system.
 
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::terminal::say;
@@ -10,6 +11,20 @@ const ONE_WISH: Duration = Duration::from_millis(500);
 
 /// Since when an end is wanted: the work at hand ends as soon as it can.
 static INTERRUPTED: OnceLock<Instant> = OnceLock::new();
+
+/// Whether a file is being read: a pipe may never end, and nothing is lost by leaving it.
+static READING: AtomicBool = AtomicBool::new(false);
+
+/// Reads something that may take for ever: an end that is wanted meanwhile comes at once.
+pub(crate) fn reading<T>(read: impl FnOnce() -> T) -> T {
+    READING.store(true, Ordering::SeqCst);
+    if interrupted() {
+        std::process::exit(130);
+    }
+    let read = read();
+    READING.store(false, Ordering::SeqCst);
+    read
+}
 
 /// Whether the user wants an end.
 pub(crate) fn interrupted() -> bool {
@@ -23,7 +38,7 @@ pub(crate) fn listen() {
         return;
     }
     let handler = ctrlc::set_handler(|| {
-        if INTERRUPTED.get_or_init(Instant::now).elapsed() > ONE_WISH {
+        if INTERRUPTED.get_or_init(Instant::now).elapsed() > ONE_WISH || READING.load(Ordering::SeqCst) {
             std::process::exit(130);
         }
     });

@@ -3,13 +3,13 @@
 use std::io::Write;
 use std::path::Path;
 
-use record::{Level, Verification, VerifyError, verify};
+use record::{Level, Verification, VerifyError, result_text, verify_text};
 use show::{Printable, width_of_names};
 
 use crate::bars::Bars;
 use crate::command::VerifyArguments;
 use crate::failure::Failure;
-use crate::interrupt::listen;
+use crate::interrupt::{listen, reading};
 use crate::outlet::Outlet;
 use crate::terminal::{line, say, tell};
 use crate::threads::start_threads;
@@ -30,7 +30,8 @@ fn verified(arguments: &VerifyArguments, stdout: &mut impl Write) -> Result<(), 
     let bars = Bars::new(arguments.quiet);
     let (mut readable, mut equal) = (true, true);
     for (k, path) in arguments.results.iter().enumerate() {
-        match verify(path, &bars) {
+        let text = reading(|| result_text(path));
+        match text.map_err(VerifyError::from).and_then(|text| verify_text(&text, &bars)) {
             Ok(verification) => {
                 equal &= verification.agrees();
                 if arguments.json {

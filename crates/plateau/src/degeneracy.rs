@@ -8,7 +8,7 @@ pub enum Degeneracy {
     /// All points are one.
     #[error(
         "all points of the boundary coincide at {}: every patch over it is that point, without area and curvature",
-        shown(*at)
+        Self::shown(*at)
     )]
     OnePoint {
         /// The point.
@@ -32,7 +32,7 @@ pub enum Degeneracy {
         distance: f64,
     },
     /// A side without length.
-    #[error("the side `{side}` is one point, {}: every patch over the boundary is singular along it", shown(*at))]
+    #[error("the side `{side}` is one point, {}: every patch over the boundary is singular along it", Self::shown(*at))]
     PointSide {
         /// The side.
         side: &'static str,
@@ -40,7 +40,7 @@ pub enum Degeneracy {
         at: Point,
     },
     /// Two corners that no side without length joins are one point.
-    #[error("the corners {first} and {second} coincide at {}: patches over the boundary are pinched there", shown(*at))]
+    #[error("the corners {first} and {second} coincide at {}: patches over the boundary are pinched there", Self::shown(*at))]
     Pinched {
         /// One corner.
         first: &'static str,
@@ -87,7 +87,7 @@ pub enum Degeneracy {
         angle: u16,
     },
     /// A side turns back on itself.
-    #[error("the side `{side}` turns back on itself near {}: patches over it fold there", shown(*at))]
+    #[error("the side `{side}` turns back on itself near {}: patches over it fold there", Self::shown(*at))]
     TurnsBack {
         /// The side.
         side: &'static str,
@@ -95,20 +95,40 @@ pub enum Degeneracy {
         at: Point,
     },
     /// The boundary lies in a plane and crosses itself.
-    #[error("the boundary is planar and crosses itself near {}: patches over it fold", shown(*at))]
+    #[error("the boundary is planar and crosses itself near {}: patches over it fold", Self::shown(*at))]
     Crossed {
         /// Where.
         at: Point,
     },
 }
 
-fn shown(p: Point) -> String {
-    let digits = |x: f64| {
-        if x == 0.0 || (1e-3..1e6).contains(&x.abs()) {
-            format!("{}", (x * 1e4).round() / 1e4)
-        } else {
-            format!("{x:.4e}")
+impl Degeneracy {
+    /// The degeneracy of a boundary that was given `by` away from where it lay.
+    pub(crate) fn moved(mut self, by: Point) -> Self {
+        match &mut self {
+            Self::OnePoint { at }
+            | Self::PointSide { at, .. }
+            | Self::Pinched { at, .. }
+            | Self::TurnsBack { at, .. }
+            | Self::Crossed { at } => *at += by,
+            Self::Straight
+            | Self::Far { .. }
+            | Self::SameSides { .. }
+            | Self::NoTangent { .. }
+            | Self::NoAngle { .. } => {}
         }
-    };
-    format!("[{}, {}, {}]", digits(p.x), digits(p.y), digits(p.z))
+        self
+    }
+
+    /// A point as its sentences show it.
+    pub(crate) fn shown(p: Point) -> String {
+        let digits = |x: f64| {
+            if x == 0.0 || (1e-3..1e6).contains(&x.abs()) {
+                format!("{}", (x * 1e4).round() / 1e4)
+            } else {
+                format!("{x:.4e}")
+            }
+        };
+        format!("[{}, {}, {}]", digits(p.x), digits(p.y), digits(p.z))
+    }
 }

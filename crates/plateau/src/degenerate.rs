@@ -4,9 +4,13 @@ use surfaces::Point;
 
 use crate::Degeneracy;
 use crate::boundary::{Boundary, Corner, TensorBoundary, TriangleBoundary};
+use crate::crossing::crossing;
 
-/// Differences below this share of the largest coordinate are rounding.
+/// Differences below this share of the extent are rounding.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Likewise of the distance from the origin: a few units in the last place of the coordinates.
+const ROUNDING_FAR: f64 = 4.0 * f64::EPSILON;
 
 /// Sine of an angle that counts as 0 or 180°.
 const PARALLEL: f64 = 1e-9;
@@ -43,6 +47,11 @@ impl Side {
     }
 }
 
+/// That a boundary so large lies too far from the origin for its coordinates to tell much.
+pub(crate) fn far(extent: f64, distance: f64) -> Option<Degeneracy> {
+    (extent < FAR * distance).then_some(Degeneracy::Far { extent, distance })
+}
+
 /// De Casteljau.
 fn at(points: &[Point], t: f64) -> Point {
     let mut row = points.to_vec();
@@ -54,6 +63,12 @@ fn at(points: &[Point], t: f64) -> Point {
 
 /// The degeneracies of a boundary, the gravest first; none of an ordinary one.
 pub fn degeneracies(boundary: &Boundary) -> Vec<Degeneracy> {
+    let (near, origin) = boundary.anchored();
+    found(&near, origin).into_iter().map(|degeneracy| degeneracy.moved(origin)).collect()
+}
+
+/// The degeneracies of a boundary that was given `origin` away from where it lies.
+fn found(boundary: &Boundary, origin: Point) -> Vec<Degeneracy> {
     let (names, points, corners): (&[&'static str], &[Vec<Point>], &[Corner]) = match boundary {
         Boundary::Tensor(sides) => (&TensorBoundary::NAMES, sides.sides(), &TensorBoundary::CORNERS),
         Boundary::Opposite(sides) => (&sides.direction().names(), sides.sides(), &[]),
@@ -64,18 +79,19 @@ pub fn degeneracies(boundary: &Boundary) -> Vec<Degeneracy> {
     let first = all[0];
     let farthest =
         all.iter().copied().fold(first, |q, p| if p.distance(first) > q.distance(first) { p } else { q });
-    let (extent, distance) = (farthest.distance(first), all.iter().map(|p| p.norm()).fold(0.0, f64::max));
-    let tiny = ROUNDING * distance;
+    let (extent, distance) =
+        (farthest.distance(first), all.iter().map(|&p| (p + origin).norm()).fold(0.0, f64::max));
+    let tiny = (ROUNDING * extent).max(ROUNDING_FAR * distance);
     if extent <= tiny {
         return vec![Degeneracy::OnePoint { at: first }];
     }
+    let mut found = Vec::new();
+    // First, for what follows is then no more than its coordinates can tell.
+    found.extend(far(extent, distance));
     let along = (farthest - first) * (1.0 / extent);
     if all.iter().all(|&p| (p - first).cross(along).norm() <= tiny) {
-        return vec![Degeneracy::Straight];
-    }
-    let mut found = Vec::new();
-    if extent < FAR * distance {
-        found.push(Degeneracy::Far { extent, distance });
+        found.push(Degeneracy::Straight);
+        return found;
     }
     let mut grave = false;
     for side in sides.iter().filter(|side| side.is_point(tiny)) {
@@ -98,7 +114,7 @@ pub fn degeneracies(boundary: &Boundary) -> Vec<Degeneracy> {
         }
     }
     if !grave && !corners.is_empty() {
-        found.extend(folds(&sides, corners.len(), first, along, extent, tiny));
+        found.extend(folds(&sides, corners.len(), tiny));
     }
     found
 }
@@ -151,14 +167,7 @@ fn singular_corner(
 }
 
 /// Where sides, read as Bernstein curves, turn back, and where a planar boundary crosses itself.
-fn folds(
-    sides: &[Side],
-    corners: usize,
-    first: Point,
-    along: Point,
-    extent: f64,
-    tiny: f64,
-) -> Vec<Degeneracy> {
+fn folds(sides: &[Side], corners: usize, tiny: f64) -> Vec<Degeneracy> {
     let curves: Vec<Vec<Point>> = sides.iter().map(Side::sampled).collect();
     let mut found = Vec::new();
     for (side, curve) in sides.iter().zip(&curves) {
@@ -170,42 +179,16 @@ fn folds(
             found.push(Degeneracy::TurnsBack { side: side.name, at: p[1] });
         }
     }
-    let far = |p: &Point| (*p - first).cross(along).norm();
-    let all = sides.iter().flat_map(|side| &side.points);
-    let widest = all.clone().copied().reduce(|q, p| if far(&p) > far(&q) { p } else { q }).unwrap_or(first);
-    let Some(normal) = along.cross(widest - first).unit() else { return found };
-    if all.into_iter().any(|p| (*p - first).dot(normal).abs() > ROUNDING.max(1e-12) * extent)
-        || !found.is_empty()
-    {
-        return found;
-    }
-    let across = normal.cross(along);
-    let flat = |p: &Point| [(*p - first).dot(along), (*p - first).dot(across)];
-    // Around the boundary: ab, bc, ca, or u0, v1, u1 backwards, v0 backwards.
-    let around: Vec<[f64; 2]> = match corners {
-        3 => curves.iter().flatten().map(flat).collect(),
-        _ => {
-            let backwards = |k: usize| curves[k].iter().rev();
-            curves[0].iter().chain(&curves[3]).chain(backwards(1)).chain(backwards(2)).map(flat).collect()
-        }
-    };
-    let count = around.len();
-    let piece = |k: usize| [around[k], around[(k + 1) % count]];
-    let turn =
-        |[a, b]: [[f64; 2]; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    for i in 0..count {
-        for j in i + 2..count {
-            let (p, q) = (piece(i), piece(j));
-            let apart = |x: f64, y: f64| {
-                x * y < 0.0 && x.abs().min(y.abs()) > 1e-12 * extent * extent / PIECES as f64
-            };
-            if apart(turn(p, q[0]), turn(p, q[1])) && apart(turn(q, p[0]), turn(q, p[1])) {
-                let middle =
-                    first + along * (0.5 * (p[0][0] + p[1][0])) + across * (0.5 * (p[0][1] + p[1][1]));
-                found.push(Degeneracy::Crossed { at: middle });
-                return found;
+    if found.is_empty() {
+        // Around the boundary: ab, bc, ca, or u0, v1, u1 backwards, v0 backwards.
+        let around: Vec<Point> = match corners {
+            3 => curves.concat(),
+            _ => {
+                let backwards = |k: usize| curves[k].iter().rev();
+                curves[0].iter().chain(&curves[3]).chain(backwards(1)).chain(backwards(2)).copied().collect()
             }
-        }
+        };
+        found.extend(crossing(&around).map(|crossing| Degeneracy::Crossed { at: crossing.at }));
     }
     found
 }

@@ -1,6 +1,7 @@
+use surfaces::Point;
 use thiserror::Error;
 
-use crate::{DegreeLimit, Direction};
+use crate::{CuttingError, Degeneracy, DegreeLimit, Direction};
 
 /// Why a method found no patch.
 #[derive(Debug, Error)]
@@ -17,7 +18,15 @@ pub enum MethodError {
     Complex(#[from] surfaces::ComplexError),
     /// A boundary that cannot be cut into quadrilaterals.
     #[error(transparent)]
-    Cutting(#[from] crate::CuttingError),
+    Cutting(#[from] CuttingError),
+    /// Something went wrong with a boundary far from the origin, and that may be why.
+    #[error("{far}: {error}")]
+    Far {
+        /// How far.
+        far: Degeneracy,
+        /// What went wrong.
+        error: Box<MethodError>,
+    },
     /// The energy.
     #[error(transparent)]
     Energy(#[from] energy::EnergyError),
@@ -33,6 +42,21 @@ pub enum MethodError {
     /// The search box.
     #[error("the search box is not sound: {0}")]
     Bounds(#[from] optim::BoundsError),
+    /// The search box reaches beyond what the family admits.
+    #[error(
+        "the search box [{lower:?}, {upper:?}] reaches beyond the shape parameters of {family}, each in [{}, {}]: give lower < upper within that",
+        range.0, range.1
+    )]
+    SearchBox {
+        /// Lower end of the box.
+        lower: f64,
+        /// Upper end of the box.
+        upper: f64,
+        /// The family.
+        family: &'static str,
+        /// The range of its parameters.
+        range: (f64, f64),
+    },
     /// No shape in the box has a finite energy.
     #[error("no shape in the search box gives a finite energy: {evaluations} evaluations all failed")]
     NothingFound {
@@ -93,7 +117,7 @@ pub enum MethodError {
     },
     /// The weights of a mask leave its system without an inverse.
     #[error(
-        "the mask is singular at the corner weight α = {alpha} on a net of degree {degree} (reciprocal condition \
+        "the mask is singular at the corner weight α = {alpha:?} on a net of degree {degree} (reciprocal condition \
          {reciprocal_condition:.0e}): some nets that vanish on the border satisfy it too. Take another weight: -0.25 is the Coons mask \
          of tensor nets, which is never singular"
     )]
@@ -133,7 +157,7 @@ pub enum MethodError {
     },
     /// Derivatives of a curve are not finite.
     #[error(
-        "the derivatives of the curve near t = {t} are beyond double precision: scale its points or its span"
+        "the derivatives of the curve near t = {t:?} are beyond double precision: scale its points or its span"
     )]
     Overflow {
         /// The parameter.
@@ -165,6 +189,14 @@ pub enum MethodError {
 const HIGH: usize = 10;
 
 impl MethodError {
+    /// The error where the boundary was given `by` away from where it lay.
+    pub(crate) fn moved(mut self, by: Point) -> Self {
+        if let Self::Cutting(CuttingError::Crosses { at }) = &mut self {
+            *at = (Point::from(*at) + by).into();
+        }
+        self
+    }
+
     /// The error of the system of a mask with this corner weight.
     pub(crate) fn of_mask(self, alpha: f64, degree: usize) -> Self {
         if let Self::Solve(solve::SolveError::Singular { reciprocal_condition, .. }) = self {

@@ -5,7 +5,7 @@ use surfaces::Complex;
 use crate::{
     AreaEstimate, AreaExtremal, Family, MethodError, NoEstimate, Progress, Surface, Warning, costs_less,
     estimate_complex, estimate_net, estimate_triangle, excess_of_complex, excess_of_net, excess_of_triangle,
-    odd_corners,
+    memory, odd_corners,
 };
 
 /// Degree above which what a surface lacks is not looked for unasked.
@@ -26,6 +26,12 @@ pub(crate) fn estimated(
     };
     match area {
         Some(found) if costs_less(m.max(n), faces, at_corners, found) => {
+            if let Err(MethodError::OutOfMemory { bytes }) =
+                memory::holds(memory::of_estimate(m.max(n), faces, at_corners))
+            {
+                warnings.push(Warning::NoEstimate(NoEstimate::OutOfMemory { bytes }));
+                return Ok(None);
+            }
             let estimate = of_least_area((surface, family), found, progress)?;
             Ok(estimate.and_then(|estimate| told(estimate, warnings)))
         }

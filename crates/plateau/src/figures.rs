@@ -32,6 +32,9 @@ const TOLERANCE: f64 = 1e-12;
 /// An area below this share of (coordinates and tangents) × tangents is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
+/// Likewise of the distance at which a boundary was given: its coordinates were rounded there, but no sum was made of them.
+const ROUNDING_OF_INPUT: f64 = 4.0 * f64::EPSILON;
+
 impl Figures {
     /// The figures of `patch`; `mesh` is a mesh of the same patch.
     ///
@@ -64,9 +67,10 @@ impl Figures {
         let [laplacian_defect, bending] =
             summed(patches, |patch| integrate(patch, TOLERANCE, [scale; 2], second))?;
         // What is no more than the rounding of the tangents is no area, and no curvature comes of it.
-        let reach = mesh.points.iter().map(|p| p.norm()).fold(distance, f64::max);
+        let reach = mesh.points.iter().map(|p| p.norm()).fold(0.0, f64::max);
         let size = reach.max((2.0 * dirichlet.value).sqrt());
-        let has_area = area.value > ROUNDING * size * dirichlet.value.sqrt();
+        let rounding = (ROUNDING * size).max(ROUNDING_OF_INPUT * distance);
+        let has_area = area.value > rounding * dirichlet.value.sqrt();
         // ∫H² has no unit: measured against 1. It may diverge at singular points; then it stays unsettled.
         let willmore = |jet: &Jet| [jet.mean_curvature().map_or(0.0, |h| h * h * jet.area_density())];
         let square = match has_area {

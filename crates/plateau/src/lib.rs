@@ -58,6 +58,7 @@ mod closed_form;
 mod context;
 mod corners;
 mod cost;
+mod crossing;
 mod curve;
 mod curve_function;
 mod cutting;

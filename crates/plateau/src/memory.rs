@@ -38,6 +38,17 @@ fn of_least_area(free: usize) -> usize {
     square(3 * free).saturating_mul(4)
 }
 
+/// Bytes of a least area over so many faces of a degree: the Hessian of each in three coordinates, and its factor.
+pub(crate) fn of_faces(degree: usize, faces: usize) -> usize {
+    square(3 * degree.saturating_sub(1).pow(2)).saturating_mul(faces).saturating_mul(2)
+}
+
+/// Bytes of the estimate of a least area over so many faces, `at_corners` of them at odd corners: the last of its surfaces has four degrees
+/// more, and four layers, each of two faces more at a corner.
+pub(crate) fn of_estimate(degree: usize, faces: usize, at_corners: usize) -> usize {
+    of_faces(degree + 4, faces + 8 * at_corners)
+}
+
 /// Bytes of a dense extremal: its forms, the block of the free points, its copy in units, its factor, and those of the proof.
 fn of_dense(forms: usize, points: usize, free: usize) -> usize {
     square(points).saturating_mul(forms).saturating_add(square(free).saturating_mul(6))

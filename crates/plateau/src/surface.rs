@@ -68,7 +68,7 @@ impl Surface {
     }
 
     /// The surface moved.
-    pub(crate) fn moved(self, by: Point) -> Result<Self, SurfaceError> {
+    pub(crate) fn moved(self, by: Point) -> Result<Self, MethodError> {
         if by == Point::ZERO {
             return Ok(self);
         }
@@ -86,11 +86,11 @@ impl Surface {
             }
             Self::Pieces(pieces) => {
                 let [u, v] = pieces.cuts().map(<[f64]>::to_vec);
-                let patches = pieces.patches().iter().cloned().map(tensor).collect::<Result<_, _>>()?;
+                let patches =
+                    pieces.patches().iter().cloned().map(tensor).collect::<Result<_, SurfaceError>>()?;
                 Self::Pieces(Pieces::from_patches(u, v, patches)?)
             }
-            // Films are not moved: least areas over complexes have a frame of their own.
-            Self::Complex(complex) => Self::Complex(complex),
+            Self::Complex(complex) => Self::Complex(complex.moved(by)?),
         })
     }
 

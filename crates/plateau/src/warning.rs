@@ -47,7 +47,7 @@ pub enum Warning {
         share: f64,
     },
     /// The best shape of a search lies on the boundary of its box.
-    #[error("the search box binds: {} at {bound}; a wider box may hold a lower minimum", parameters.join(", "))]
+    #[error("the search box binds: {} at {}; a wider box may hold a lower minimum", parameters.join(", "), digits(*bound))]
     BoxBinds {
         /// The parameters there.
         parameters: Vec<&'static str>,
@@ -253,7 +253,7 @@ pub enum Warning {
         basis: &'static str,
     },
     /// The quadrature of a length did not converge.
-    #[error("the length has not settled: {length} ± {error:.1e}; the curve may have a cusp")]
+    #[error("the length has not settled: {} ± {error:.1e}; the curve may have a cusp", digits(*length))]
     LengthUnsettled {
         /// The length.
         length: f64,
@@ -328,7 +328,10 @@ impl Warning {
             }
             // Its own sentence says what to do.
             Self::BoxBinds { .. } | Self::Degenerate(_) | Self::CurveNearBound { .. } => None,
-            Self::NoEstimate(_) => Some("raise the degree"),
+            Self::NoEstimate(NoEstimate::OutOfMemory { .. }) => Some("free memory"),
+            Self::NoEstimate(
+                NoEstimate::Slow { .. } | NoEstimate::Unresolved { .. } | NoEstimate::NotReached,
+            ) => Some("raise the degree"),
             Self::Inaccurate { .. } => Some("give a higher degree"),
             Self::LayerSet { .. } | Self::NoLayer { .. } => None,
             Self::NoBound(_) | Self::Welded { .. } | Self::LeftOut { .. } | Self::SpanCut { .. } => None,
@@ -363,7 +366,7 @@ fn best_values(runs: usize, spread: f64) -> String {
 
 /// A number with all its digits, in the form that is shorter.
 fn digits(x: f64) -> String {
-    if (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+    if x == 0.0 || (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
 }
 
 /// What folds across an edge.
@@ -378,7 +381,7 @@ fn short(x: f64) -> String {
 }
 
 fn first_five(numbers: &[f64]) -> String {
-    let shown = numbers.iter().take(5).map(f64::to_string).collect::<Vec<_>>().join(", ");
+    let shown = numbers.iter().take(5).copied().map(digits).collect::<Vec<_>>().join(", ");
     if numbers.len() > 5 { format!("{shown} and {} more", numbers.len() - 5) } else { shown }
 }
 

@@ -158,9 +158,38 @@ fn loops_that_look_in_have_convex_parts() {
         assert_flat_quads(&cut);
         assert_rim_is(&cut, &[around], 0.05);
     }
-    let crossed = polygon(&[[0., 0., 0.], [2., 2., 0.], [2., 0., 0.], [0., 1.9, 0.]]);
+    let crossed = polygon(&[[0., 0., 0.], [2., 2., 0.], [2., 0., 0.1], [0., 1.9, 0.]]);
     let refused = cutting(4).with_way(Way::Parts).loops(&[crossed]);
     assert!(matches!(refused, Err(CuttingError::Unsuitable { .. })));
+}
+
+#[test]
+fn a_flat_loop_that_crosses_itself_is_refused_with_the_place() {
+    let at = |loops: &[Loop]| match cutting(6).loops(loops) {
+        Err(CuttingError::Crosses { at }) => Some(Point::from(at)),
+        Err(_) | Ok(_) => None,
+    };
+    let crossed = polygon(&[[0., 0., 0.], [2., 2., 0.], [2., 0., 0.], [0., 2., 0.]]);
+    assert!(at(from_ref(&crossed)).unwrap().distance(p(1., 1., 0.)) < 1e-12);
+    assert!(at(&[circle(9.0, 1.0), crossed]).is_some());
+    // Smooth ones, in a plane that leans: samples of a lemniscate, and sides that come near one another without touching.
+    let point = |t: f64| p(t.sin(), 0.6 * (2.0 * t).sin(), 0.8 * (2.0 * t).sin());
+    let lobes: Vec<Point> = (0..=63).map(|k| point(0.05 + TAU * f64::from(k % 63) / 63.0)).collect();
+    let eight = Loop::new(vec![BoundaryCurve::through(lobes, 1e-4).unwrap()], None).unwrap();
+    assert!(at(&[eight]).unwrap().norm() < 1e-2);
+    let bow = |height: f64| vec![p(0., 0., 0.), p(1., height, 0.), p(2., height, 0.), p(3., 0., 0.)];
+    let crescent = |inner: f64| {
+        let sides = vec![bow(2.0), bow(inner).into_iter().rev().collect()];
+        Loop::sides(sides).unwrap()
+    };
+    assert_eq!(at(&[crescent(1.999)]), None);
+    assert!(
+        at(&[Loop::sides(vec![bow(2.0), vec![p(3., 0., 0.), p(2., 3., 0.), p(1., 0., 0.), p(0., 0., 0.)]])
+            .unwrap()])
+        .is_some()
+    );
+    // In space nothing is looked for: such a loop has a surface.
+    assert!(cutting(6).loops(&[polygon(&[[0., 0., 0.], [2., 2., 0.], [2., 0., 1.], [0., 2., 1.]])]).is_ok());
 }
 
 #[test]

@@ -43,6 +43,11 @@ pub struct Delivered {
 /// [`DeliverError`] names the folder.
 pub fn prepare(plan: &Plan, out: &Path) -> Result<Claim, DeliverError> {
     let folder = folder(plan, out);
+    let result = folder.join(RESULT_FILE);
+    // A folder in its place would be found when all is computed.
+    if result.is_dir() {
+        return Err(DeliverError { path: result, source: io::ErrorKind::IsADirectory.into() });
+    }
     atomic::prepare(&folder).map_err(|source| DeliverError { path: folder, source })
 }
 

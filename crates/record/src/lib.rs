@@ -13,7 +13,7 @@
 //! | the folder | [`folder()`], [`folder_of()`], [`folder_key()`], [`own_contents()`], [`RESULT_FILE`], [`REPORT_FILE`]; [`Claim`], [`earlier()`], [`Earlier`] |
 //! | checkpoints | [`Checkpoint`], [`CHECKPOINT_FILE`], [`CheckpointError`] |
 //! | reading | [`StoredResult`], [`StoredMethod`], [`ReadError`] |
-//! | computing again | [`verify()`], [`Verification`], [`Verified`], [`Level`], [`Difference`], [`VerifyError`]; [`reproduce()`], [`Reproduction`], [`Reproduced`], [`Verdict`], [`REPRODUCTION_SCHEMA`] |
+//! | computing again | [`verify()`], [`result_text()`], [`verify_text()`], [`Verification`], [`Verified`], [`Level`], [`Difference`], [`VerifyError`]; [`reproduce()`], [`Reproduction`], [`Reproduced`], [`Verdict`], [`REPRODUCTION_SCHEMA`] |
 
 mod atomic;
 mod checkpoint;
@@ -45,4 +45,6 @@ pub use result::{ResultFile, method_record};
 pub use result_reader::{ReadError, own_contents};
 pub use schema::SCHEMA;
 pub use stored::{StoredMethod, StoredResult};
-pub use verification::{Difference, Level, Verification, Verified, VerifyError, verify};
+pub use verification::{
+    Difference, Level, Verification, Verified, VerifyError, result_text, verify, verify_text,
+};

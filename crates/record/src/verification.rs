@@ -7,7 +7,7 @@ use serde_json::Value;
 use thiserror::Error;
 
 use crate::export::{Named, rehearse};
-use crate::result_reader::{check_schema, contents, required};
+use crate::result_reader::{check_schema, check_size, contents, required};
 use crate::{ExportError, Manifest, Origin, ReadError, ResultFile};
 use experiment::{Finished, Options, Plan, Refusal, run};
 use plateau::{Arithmetic, MethodError, Progress};
@@ -62,8 +62,25 @@ impl Verification {
 /// # Errors
 /// [`VerifyError`], if there is nothing to compare; a difference is none.
 pub fn verify(path: &Path, progress: &dyn Progress) -> Result<Verification, VerifyError> {
+    verify_text(&result_text(path)?, progress)
+}
+
+/// The text of a `result.json`, at most 64 MiB, of a file or of what another program writes into a pipe.
+///
+/// # Errors
+/// [`ReadError`] for what cannot be read, or holds more than a result does.
+pub fn result_text(path: &Path) -> Result<Vec<u8>, ReadError> {
+    contents(path)
+}
+
+/// As [`verify`], of the text of a result.
+///
+/// # Errors
+/// As [`verify`].
+pub fn verify_text(text: &[u8], progress: &dyn Progress) -> Result<Verification, VerifyError> {
     let json = |source| ReadError::Json { place: String::new(), source };
-    let mut stored: Value = serde_json::from_slice(&contents(path)?).map_err(json)?;
+    check_size(text)?;
+    let mut stored: Value = serde_json::from_slice(text).map_err(json)?;
     check_schema(stored.get("schema").and_then(Value::as_str).map(str::to_owned))?;
     let manifest = required(stored.get_mut("manifest").map(Value::take), "manifest")?;
     let manifest: Manifest = serde_json::from_value(manifest)

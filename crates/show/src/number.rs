@@ -10,6 +10,10 @@ pub enum Form {
     Percent(usize),
     /// One decimal and the exponent: errors, of which the exponent is what there is to read.
     Order,
+    /// Three decimals, or one and the exponent below 0.01 and from 1e6 on: estimates.
+    Estimate,
+    /// Exactly so many digits, 1 to 17; with an exponent outside of 1e-5 to 1e12.
+    Significant(usize),
     /// At most so many digits, 1 to 17, as print sets them: `1.2·10⁻⁷`. For pictures and sentences.
     Digits(usize),
 }
@@ -26,11 +30,26 @@ impl Form {
             }
             Self::Percent(decimals) if x.abs() < 1e4 => format!("{:.decimals$} %", 100.0 * x),
             Self::Percent(_) => Self::Order.of(x),
-            Self::Order | Self::Digits(_) if x == 0.0 => "0".into(),
+            Self::Order | Self::Estimate | Self::Significant(_) | Self::Digits(_) if x == 0.0 => "0".into(),
+            Self::Estimate if (0.01..1e6).contains(&x.abs()) => format!("{x:.3}"),
+            Self::Estimate => Self::Order.of(x),
+            Self::Significant(count) => significant(x, count),
             Self::Order => format!("{x:.1e}"),
             Self::Digits(most) => digits(x, most),
         }
     }
+}
+
+/// The power of ten of the first digit of a number that is not 0.
+pub(crate) fn decade(x: f64) -> i32 {
+    // That of print, which no rounding of a logarithm moves.
+    format!("{x:e}").rsplit_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+fn significant(x: f64, count: usize) -> String {
+    let (decade, behind) = (decade(x), count.saturating_sub(1));
+    let decimals = usize::try_from(behind as i32 - decade).unwrap_or(0);
+    if (-5..12).contains(&decade) { format!("{x:.decimals$}") } else { format!("{x:.behind$e}") }
 }
 
 /// A number in four digits at most.
@@ -81,6 +100,10 @@ mod tests {
         let shown = [0.005_164, 1.0, 3e-9, 3e7].map(|x| Form::Percent(4).of(x));
         assert_eq!(shown, ["0.5164 %", "100.0000 %", "0.0000 %", "3.0e7"]);
         assert_eq!(Form::Order.of(5.46e-13), "5.5e-13");
+        let shown = [0.0, 0.154_12, 1e-100, 6.57e60, -3.5e-3].map(|x| Form::Estimate.of(x));
+        assert_eq!(shown, ["0", "0.154", "1.0e-100", "6.6e60", "-3.5e-3"]);
+        let shown = [0.0, 36.767_191_079, 6.5e-24, 1e-100, 6.5e60].map(|x| Form::Significant(5).of(x));
+        assert_eq!(shown, ["0", "36.767", "6.5000e-24", "1.0000e-100", "6.5000e60"]);
     }
 
     #[test]
@@ -92,8 +115,13 @@ mod tests {
     #[test]
     fn what_is_written_is_the_number_to_its_last_digit() {
         for x in [1.0, -0.123_456_789, 9.999_999_96, 1.234_567_891_2e-5, 3.8e-21, 6.021e23, 999_999.96] {
-            for (form, relative) in [(Form::Decimals(7), 1e-3), (Form::Order, 0.05), (Form::Digits(9), 1e-8)]
-            {
+            let forms = [
+                (Form::Decimals(7), 1e-3),
+                (Form::Order, 0.05),
+                (Form::Significant(9), 1e-8),
+                (Form::Digits(9), 1e-8),
+            ];
+            for (form, relative) in forms {
                 let text = form.of(x).replace('−', "-").replace("·10", "e");
                 let plain: String = text
                     .chars()

@@ -68,8 +68,14 @@ pub(crate) fn is_hidden(c: char) -> bool {
     let turns =
         matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let breaks = matches!(c, '\u{2028}' | '\u{2029}');
+    // Names that differ in these look the same. Joiners (ZWJ, ZWNJ) and the marks of variants belong to scripts and emoji.
+    let vanishes = matches!(
+        c,
+        '\u{ad}' | '\u{34f}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180e}' | '\u{200b}' | '\u{2060}'
+            ..='\u{2065}' | '\u{206a}'..='\u{206f}' | '\u{3164}' | '\u{ffa0}' | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}'
+    );
     let annotates = matches!(c, '\u{feff}' | '\u{fff9}'..='\u{fffb}');
-    c.is_control() || turns || breaks || annotates
+    c.is_control() || turns || breaks || vanishes || annotates
 }
 
 /// A character as it may be shown.
@@ -90,7 +96,8 @@ pub fn stand_ins(text: &str) -> String {
         _ if !is_hidden(c) || matches!(c, '\n' | '\r' | '\t') => c,
         1 => '?',
         2 => '¿',
-        _ => '\u{fffd}',
+        3 => '\u{fffd}',
+        _ => '\u{1f6c7}',
     };
     text.chars().map(text_of).collect()
 }
@@ -100,9 +107,25 @@ mod tests {
     use super::*;
 
     /// Characters of every kind that can do harm.
-    const HARMFUL: [char; 14] = [
-        '\0', '\u{7}', '\u{8}', '\n', '\r', '\u{1b}', '\u{7f}', '\u{85}', '\u{9b}', '\u{61c}', '\u{2028}',
-        '\u{202e}', '\u{2066}', '\u{feff}',
+    const HARMFUL: [char; 18] = [
+        '\0',
+        '\u{7}',
+        '\u{8}',
+        '\n',
+        '\r',
+        '\u{1b}',
+        '\u{7f}',
+        '\u{85}',
+        '\u{9b}',
+        '\u{61c}',
+        '\u{2028}',
+        '\u{202e}',
+        '\u{2066}',
+        '\u{feff}',
+        '\u{ad}',
+        '\u{200b}',
+        '\u{3164}',
+        '\u{e0041}',
     ];
 
     #[test]

@@ -70,7 +70,7 @@ pub enum SurfaceError {
         found: usize,
     },
     /// The corner weight of a mask leaves no finite weight for the edges.
-    #[error("mask weight α = {alpha} leaves no finite edge weight; give a finite number")]
+    #[error("mask weight α = {alpha:?} leaves no finite edge weight; give a finite number")]
     Mask {
         /// The weight given.
         alpha: f64,
@@ -90,7 +90,7 @@ pub enum SurfaceError {
         found: usize,
     },
     /// A parameter interval is empty, reversed or not finite.
-    #[error("the {name} interval from {start} to {end} must be finite and of positive length")]
+    #[error("the {name} interval from {start:?} to {end:?} must be finite and of positive length")]
     Interval {
         /// Name of the parameter.
         name: &'static str,
@@ -100,7 +100,7 @@ pub enum SurfaceError {
         end: f64,
     },
     /// The weights of a generalized helicoid are both zero or not finite.
-    #[error("helicoid weights a = {a}, b = {b} must be finite and not both 0")]
+    #[error("helicoid weights a = {a:?}, b = {b:?} must be finite and not both 0")]
     Weights {
         /// Weight of the right helicoid.
         a: f64,
@@ -108,7 +108,7 @@ pub enum SurfaceError {
         b: f64,
     },
     /// A parameter interval would need too many patches.
-    #[error("the {name} interval of length {span} would need more than {max} patches; shorten it")]
+    #[error("the {name} interval of length {span:?} would need more than {max} patches; shorten it")]
     TooManyPieces {
         /// Name of the parameter.
         name: &'static str,
@@ -118,7 +118,7 @@ pub enum SurfaceError {
         max: usize,
     },
     /// A side of a trapezium is not finite over its whole length.
-    #[error("side {side} of the trapezium, γ = {gamma}, β = {beta}, is not finite over the whole span")]
+    #[error("side {side} of the trapezium, γ = {gamma:?}, β = {beta:?}, is not finite over the whole span")]
     Side {
         /// 0 for the side at u = 0, 1 for the other.
         side: usize,
@@ -128,7 +128,7 @@ pub enum SurfaceError {
         beta: f64,
     },
     /// The two sides of a trapezium cross, or are the same.
-    #[error("the two sides of the trapezium meet at v = {v}; they may meet at one end only")]
+    #[error("the two sides of the trapezium meet at v = {v:?}; they may meet at one end only")]
     Crossing {
         /// Where they meet.
         v: f64,

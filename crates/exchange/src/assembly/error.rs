@@ -5,7 +5,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum AssemblyError {
     /// A number of the options.
-    #[error("{name} = {value}: {expected}")]
+    #[error("{name} = {value:?}: {expected}")]
     Option {
         /// The option.
         name: &'static str,

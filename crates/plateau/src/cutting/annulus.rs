@@ -14,7 +14,7 @@ pub(super) fn cut(first: &Loop, second: &Loop, cutting: &Cutting) -> Result<Quad
             });
         }
     }
-    let [first, second] = [Rim::new(first, cutting)?, Rim::new(second, cutting)?];
+    let [first, second] = [Rim::uncrossed(first, cutting)?, Rim::uncrossed(second, cutting)?];
     let corners = first.corner_vertices().len() + second.corner_vertices().len();
     // Two edges between the same vertices are one: at least three pieces a loop.
     let count = first.len().max(second.len()).max(4);

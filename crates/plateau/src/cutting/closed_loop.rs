@@ -33,6 +33,7 @@ impl Loop {
         }
         let ends: Vec<Point> = curves.iter().flat_map(|curve| [curve.start(), curve.point(0.5)]).collect();
         let size = curves.iter().map(BoundaryCurve::size).fold(extent(&ends), f64::max);
+        CuttingError::unless_large(size)?;
         let weld = weld.unwrap_or(Self::WELD * size);
         for k in 0..curves.len() {
             let before = &curves[(k + curves.len() - 1) % curves.len()];
@@ -68,6 +69,11 @@ impl Loop {
     /// The curves.
     pub fn curves(&self) -> &[BoundaryCurve] {
         &self.curves
+    }
+
+    /// The loop moved.
+    pub(crate) fn moved(&self, by: Point) -> Self {
+        Self { curves: self.curves.iter().map(|curve| curve.moved(by)).collect(), weld: self.weld }
     }
 
     /// The largest distance of ends that are made one (a length).

@@ -10,7 +10,7 @@ use super::{Cutting, CuttingError, Loop, Quads, Way, parts};
 const MOST_PIECES: usize = 4;
 
 pub(super) fn cut(around: &Loop, cutting: &Cutting) -> Result<Quads, CuttingError> {
-    let rim = Rim::new(around, cutting)?;
+    let rim = Rim::uncrossed(around, cutting)?;
     let corners = rim.corner_vertices();
     let way = cutting.way.unwrap_or_else(|| chosen(&rim, &corners));
     if way == Way::Parts {

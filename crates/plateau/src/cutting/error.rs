@@ -1,5 +1,7 @@
-use surfaces::{ComplexError, CurveError};
+use surfaces::{ComplexError, CurveError, Point};
 use thiserror::Error;
+
+use crate::{Degeneracy, MIN_SIZE};
 
 /// Why a boundary could not be cut into quadrilaterals.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -28,6 +30,24 @@ pub enum CuttingError {
         curve: usize,
         /// Why.
         error: CurveError,
+    },
+    /// A boundary smaller than what is offered.
+    #[error(
+        "the boundary is {size:e} across; it must be at least {MIN_SIZE:e}: choose a larger unit of length"
+    )]
+    TooSmall {
+        /// Its size (a length).
+        size: f64,
+    },
+    /// A loop lies in a plane and crosses itself.
+    #[error(
+        "the loop lies in a plane and crosses itself near {}: every disc over it folds or covers itself. Give its corners in order round, \
+         or its parts as loops of their own",
+        Degeneracy::shown(Point::from(*at))
+    )]
+    Crosses {
+        /// Where.
+        at: [f64; 3],
     },
     /// More pieces than are offered.
     #[error(
@@ -122,4 +142,11 @@ pub enum CuttingError {
     /// The quadrilaterals do not make a complex.
     #[error(transparent)]
     Complex(#[from] ComplexError),
+}
+
+impl CuttingError {
+    /// The error of a boundary so small that products of its lengths vanish, as those that make its size may.
+    pub(super) fn unless_large(size: f64) -> Result<(), Self> {
+        if size < MIN_SIZE { Err(Self::TooSmall { size }) } else { Ok(()) }
+    }
 }

@@ -83,6 +83,9 @@ impl CurveGraph {
         let (names, vertices) = vertices.into_iter().unzip();
         let corners: Vec<Point> = curves.iter().flat_map(|c| [c.curve.start(), c.curve.point(0.5)]).collect();
         let size = curves.iter().map(|c| c.curve.size()).fold(extent(&corners), f64::max);
+        if !curves.is_empty() {
+            CuttingError::unless_large(size)?;
+        }
         let weld = weld.unwrap_or(Loop::WELD * size);
         let mut graph = Self { names, vertices, curves, faces, weld, welded: 0.0 };
         graph.check_curves()?;
@@ -104,6 +107,28 @@ impl CurveGraph {
     /// The faces.
     pub fn faces(&self) -> &[Vec<FaceSide>] {
         &self.faces
+    }
+
+    /// The graph moved.
+    pub(crate) fn moved(&self, by: Point) -> Self {
+        let vertices = self.vertices.iter().map(|vertex| match *vertex {
+            Vertex::Fixed(point) => Vertex::Fixed(point + by),
+            Vertex::Free(point) => Vertex::Free(point.map(|point| point + by)),
+        });
+        let curves = self
+            .curves
+            .iter()
+            .map(|GraphCurve { ends, curve }| GraphCurve { ends: *ends, curve: curve.moved(by) });
+        Self { vertices: vertices.collect(), curves: curves.collect(), ..self.clone() }
+    }
+
+    /// The places of vertices that are given or at ends of curves.
+    pub(crate) fn places(&self) -> Vec<Point> {
+        let place = |vertex: &Vertex| match *vertex {
+            Vertex::Fixed(point) | Vertex::Free(Some(point)) => Some(point),
+            Vertex::Free(None) => None,
+        };
+        self.vertices.iter().filter_map(place).collect()
     }
 
     fn check_curves(&self) -> Result<(), CuttingError> {

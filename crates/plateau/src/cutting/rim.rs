@@ -6,6 +6,7 @@ use std::ops::Range;
 use surfaces::{Bezier, BoundaryCurve, Deviation, Point, Samples};
 
 use super::{Cutting, CuttingError, Loop};
+use crate::crossing::{crossing, meet};
 
 /// A closed ring of pieces; piece k runs from vertex k to vertex k + 1.
 #[derive(Debug, Clone)]
@@ -17,8 +18,17 @@ pub(super) struct Rim {
 }
 
 impl Rim {
+    /// As [`Self::new`]; a loop in a plane that crosses itself is refused.
+    pub(super) fn uncrossed(around: &Loop, cutting: &Cutting) -> Result<Self, CuttingError> {
+        let rim = Self::new(around, cutting)?;
+        match rim.crossing() {
+            Some(at) => Err(CuttingError::Crosses { at: at.into() }),
+            None => Ok(rim),
+        }
+    }
+
     /// The pieces of a loop, its curves fitted, welded, and cut at corners of samples.
-    pub(super) fn new(around: &Loop, cutting: &Cutting) -> Result<Self, CuttingError> {
+    fn new(around: &Loop, cutting: &Cutting) -> Result<Self, CuttingError> {
         let (mut pieces, mut deviation): (Vec<Bezier>, _) = (Vec::new(), Deviation::default());
         for (curve, given) in around.curves().iter().enumerate() {
             let mut begins = true;
@@ -116,6 +126,23 @@ impl Rim {
         }
     }
 
+    /// Where a loop in a plane crosses itself; none of a loop in space is looked for.
+    fn crossing(&self) -> Option<Point> {
+        let along = |piece: &Bezier, [from, to]: [f64; 2], count: usize| {
+            (0..=count).map(|k| piece.point(from + (to - from) * uneven(k, count))).collect::<Vec<_>>()
+        };
+        let chords: Vec<Point> =
+            self.pieces.iter().flat_map(|piece| along(piece, [0.0, 1.0], CHORDS).split_off(1)).collect();
+        let found = crossing(&chords)?;
+        // Chords of curves side by side may cross where the curves do not: shorter ones tell. Chord k ends with point k + 1.
+        let [first, second] = found.segments.map(|k| {
+            let k = (k + 1) % chords.len();
+            let ends = [k % CHORDS, k % CHORDS + 1].map(|k| uneven(k, CHORDS));
+            along(&self.pieces[k / CHORDS], ends, FINER)
+        });
+        meet(&chords, &first, &second)
+    }
+
     /// The unit normal of the plane onto which the loop's projection has the largest area, if that is any to speak of.
     pub(super) fn normal(&self) -> Option<Point> {
         let points: Vec<Point> =
@@ -130,6 +157,17 @@ impl Rim {
         // A circle has 1/4π = 0.08.
         if area.norm() > 0.002 * length * length { area.unit() } else { None }
     }
+}
+
+/// Chords of a piece among which crossings are looked for, and parts of a chord to tell them from near misses.
+const CHORDS: usize = 8;
+const FINER: usize = 64;
+
+/// Step k of `count` from 0 to 1, of uneven length: curves cross at thirds and middles of one another, and a crossing at the ends of chords
+/// would be none.
+fn uneven(k: usize, count: usize) -> f64 {
+    let shift = if k == 0 || k == count { 0.0 } else { 0.381_966 };
+    (k as f64 - shift) / count as f64
 }
 
 /// Most pieces of a loop, or of all curves of a graph: quads are a few times as many, and each has its own system.

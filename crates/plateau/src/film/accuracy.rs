@@ -1,7 +1,9 @@
 //! Degrees that rise, and layers around corners, until the area is near the least.
 
 use super::fill::{Fill, Solution};
-use crate::{AreaEstimate, MethodError, Progress, Seams, Warning, estimate_complex, least_area_complex};
+use crate::{
+    AreaEstimate, MethodError, Progress, Seams, Warning, estimate_complex, least_area_complex, memory,
+};
 
 /// Degrees that are added at once, and the highest that is reached.
 const MORE: usize = 2;
@@ -57,6 +59,7 @@ impl Fill {
             if degree > HIGHEST {
                 return Ok(Accurate { solution, estimate: Some(estimate), note });
             }
+            memory::holds(memory::of_faces(degree, solution.complex.faces().len()))?;
             let raised = solution.complex.with_degree(degree)?;
             let (complex, found) = least_area_complex(&raised, &[], self.tolerance, progress)?;
             solution.seams = Seams::of(&complex)?;

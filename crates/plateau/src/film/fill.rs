@@ -1,8 +1,9 @@
 //! From loops or a graph of curves to the surface that spans them.
 
-use surfaces::{BoundaryCurve, Complex, ComplexMesh, anchor, extent};
+use surfaces::{BoundaryCurve, Complex, ComplexMesh, Point, anchor, extent};
 
 use super::{Film, Tried, degree, pinch};
+use crate::degenerate::far;
 use crate::excess::{estimated, told};
 use crate::memory;
 use crate::surface::per_face;
@@ -166,7 +167,8 @@ impl Fill {
         self
     }
 
-    /// The surface between loops: one is spanned by a disc, two by an annulus.
+    /// The surface between loops: one is spanned by a disc, two by an annulus. As [`solve`](crate::solve) does, all is computed relative to
+    /// a point of the boundary: how far from the origin it lies changes no figure.
     ///
     /// Where the way of cutting was not asked for and leads to a surface that folds, nearly folds or is not stationary, others
     /// are tried as well, and the best is kept. Each of two loops is spanned by itself, too, and it is said if the two together
@@ -175,6 +177,20 @@ impl Fill {
     /// # Errors
     /// [`MethodError::Cutting`] for what no surface can be laid out over, else as [`least_area`](crate::least_area).
     pub fn loops(&self, loops: &[Loop], progress: &dyn Progress) -> Result<Film, MethodError> {
+        let given: Vec<Point> =
+            loops.iter().flat_map(Loop::curves).flat_map(BoundaryCurve::given_points).collect();
+        let origin = anchor(&given);
+        let loops: Vec<Loop> = loops.iter().map(|around| around.moved(-origin)).collect();
+        told_if_far(self.loops_near(&loops, origin, progress), &given, origin)
+    }
+
+    /// The surface between loops that were given `origin` away from where they lie.
+    fn loops_near(
+        &self,
+        loops: &[Loop],
+        origin: Point,
+        progress: &dyn Progress,
+    ) -> Result<Film, MethodError> {
         let cutting = self.cutting(loops.iter().flat_map(Loop::curves), |cutting| cutting.loops(loops))?;
         let (best, tried) = match loops {
             [one] if self.way.is_none() => self.disc(one, cutting, progress)?,
@@ -187,7 +203,7 @@ impl Fill {
             let [first, second] = discs.map(|disc| disc.map(|(disc, _)| disc.area()));
             one_by_one = first?.zip(second?).map(|(first, second)| first + second);
         }
-        self.film(best, tried, one_by_one, progress)
+        self.film(best, tried, one_by_one, origin, progress)
     }
 
     /// The surface of the faces of a graph.
@@ -195,9 +211,17 @@ impl Fill {
     /// # Errors
     /// As [`Self::loops`].
     pub fn graph(&self, graph: &CurveGraph, progress: &dyn Progress) -> Result<Film, MethodError> {
+        let curves = || graph.curves().iter().map(|curve| &curve.curve);
+        let given: Vec<Point> =
+            curves().flat_map(BoundaryCurve::given_points).chain(graph.places()).collect();
+        let origin = anchor(&given);
+        let graph = graph.moved(-origin);
         let curves = graph.curves().iter().map(|curve| &curve.curve);
-        let cutting = self.cutting(curves, |cutting| cutting.graph(graph))?;
-        self.film(self.solved(&cutting.graph(graph)?, progress)?, Vec::new(), None, progress)
+        let cutting = self.cutting(curves, |cutting| cutting.graph(&graph))?;
+        let film = self
+            .solved(&cutting.graph(&graph)?, progress)
+            .and_then(|solution| self.film(solution, Vec::new(), None, origin, progress));
+        told_if_far(film, &given, origin)
     }
 
     fn cutting<'a>(
@@ -224,6 +248,7 @@ impl Fill {
     pub(super) fn solved(&self, cut: &CutBoundary, progress: &dyn Progress) -> Result<Solution, MethodError> {
         let (complex, extremal) = match self.energy {
             FillEnergy::Area => {
+                memory::holds(memory::of_faces(cut.complex().degree(), cut.complex().faces().len()))?;
                 let (complex, found) = least_area_complex(cut.complex(), &[], self.tolerance, progress)?;
                 (complex, Some(found))
             }
@@ -239,6 +264,7 @@ impl Fill {
         mut solution: Solution,
         tried: Vec<Tried>,
         one_by_one: Option<f64>,
+        origin: Point,
         progress: &dyn Progress,
     ) -> Result<Film, MethodError> {
         for _ in 0..self.layers {
@@ -255,7 +281,7 @@ impl Fill {
             notes.extend(reached.note);
         }
         let Solution { cut, complex, names, layers, extremal, seams } = solution;
-        let (mesh, figures) = self.measured(&complex)?;
+        let (mesh, figures) = self.measured(&complex, origin)?;
         let mut film = Film {
             names,
             layers,
@@ -285,6 +311,8 @@ impl Fill {
         {
             film.warnings.push(Warning::Inaccurate { accuracy, degree: film.complex.degree() });
         }
+        let mut film = film.moved(origin)?;
+        // A proof speaks of the points as they are written.
         if self.bound {
             match lower_bound(&film.complex) {
                 Ok(bound) => film.bound = Some(bound),
@@ -294,20 +322,18 @@ impl Fill {
         Ok(film)
     }
 
-    /// The mesh of a surface and its figures.
-    fn measured(&self, complex: &Complex) -> Result<(ComplexMesh, Figures), MethodError> {
+    /// The mesh of a surface that lies `origin` away from where its boundary was given, and its figures.
+    fn measured(&self, complex: &Complex, origin: Point) -> Result<(ComplexMesh, Figures), MethodError> {
         let subdivisions = match self.mesh {
             Meshing::PerPatch(subdivisions) => subdivisions,
             Meshing::InAll(subdivisions) => per_face(complex, subdivisions),
         };
         memory::holds(memory::of_mesh(subdivisions).saturating_mul(complex.faces().len()))?;
         let mesh = complex.mesh(subdivisions)?;
-        // Far from the origin the rounding of jets would be taken for what an area has not settled by.
-        let origin = anchor(complex.points());
-        let near = |face| Ok(Surface::Tensor(complex.patch(face)?).moved(-origin)?);
-        let patches = (0..complex.faces().len()).map(near).collect::<Result<Vec<_>, MethodError>>()?;
-        let patches: Vec<&dyn surfaces::Patch> = patches.iter().filter_map(Surface::patch).collect();
-        let figures = Figures::of_all(&patches, &mesh.mesh)?;
+        let patches =
+            (0..complex.faces().len()).map(|face| complex.patch(face)).collect::<Result<Vec<_>, _>>()?;
+        let patches: Vec<&dyn surfaces::Patch> = patches.iter().map(|patch| patch as _).collect();
+        let figures = Figures::of_moved(&patches, &mesh.mesh, origin.norm())?;
         Ok((mesh, figures))
     }
 }
@@ -318,6 +344,19 @@ impl Fill {
 /// As [`Fill::loops`].
 pub fn fill(loops: &[Loop], degree: usize) -> Result<Film, MethodError> {
     Fill::default().with_degree(degree).loops(loops, &())
+}
+
+/// What is said of a boundary that lies too far from the origin for its coordinates to tell much: first of all that.
+fn told_if_far(film: Result<Film, MethodError>, given: &[Point], origin: Point) -> Result<Film, MethodError> {
+    let far = far(extent(given), given.iter().map(|p| p.norm()).fold(0.0, f64::max));
+    match (film, far) {
+        (Ok(mut film), far) => {
+            film.warnings.splice(0..0, far.map(Warning::Degenerate));
+            Ok(film)
+        }
+        (Err(error), None) => Err(error.moved(origin)),
+        (Err(error), Some(far)) => Err(MethodError::Far { far, error: Box::new(error.moved(origin)) }),
+    }
 }
 
 /// A cut boundary with the surface over it.
@@ -365,6 +404,21 @@ impl Solution {
 }
 
 impl Film {
+    /// The film moved.
+    fn moved(mut self, by: Point) -> Result<Self, MethodError> {
+        if by == Point::ZERO {
+            return Ok(self);
+        }
+        self.complex = self.complex.moved(by)?;
+        self.mesh.mesh.points.iter_mut().for_each(|p| *p += by);
+        for warning in &mut self.warnings {
+            if let Warning::Pinches { at, .. } = warning {
+                *at = (Point::from(*at) + by).into();
+            }
+        }
+        Ok(self)
+    }
+
     /// What a reader must know.
     fn warned(&self) -> Result<Vec<Warning>, MethodError> {
         let mut warnings = Vec::new();

@@ -42,6 +42,12 @@ pub enum NoEstimate {
     /// The surface is none of least area.
     #[error("the least area was not reached")]
     NotReached,
+    /// There is no memory for surfaces of the next degrees.
+    #[error("surfaces of the next degrees would take about {:.0} MB, which cannot be allocated", *bytes as f64 / 1e6)]
+    OutOfMemory {
+        /// What they take.
+        bytes: usize,
+    },
 }
 
 /// Newton steps in all coordinates at a raised degree: the surface below is near.

@@ -19,7 +19,7 @@ pub enum MethodFault {
     NoName,
     /// The tolerance of a least area.
     #[error(
-        "the tolerance {found} of a least area is not in [{}, {}]", TOLERANCES.start(), TOLERANCES.end()
+        "the tolerance {found:?} of a least area is not in [{}, {}]", TOLERANCES.start(), TOLERANCES.end()
     )]
     Tolerance {
         /// The number given.

@@ -129,8 +129,12 @@ pub(crate) fn search(
     context: &Context<'_>,
 ) -> Result<SearchOutcome, MethodError> {
     let options = &context.search;
+    let (lower, upper, range) = (options.lower, options.upper, family.range());
+    if !(range.0 <= lower && lower < upper && upper <= range.1) {
+        return Err(MethodError::SearchBox { lower, upper, family: family.title(), range });
+    }
     let reduced = Reduced::new(net, (family, energy), interior, context.arithmetic, context.progress)?;
-    let bounds = Bounds::cube(family.parameters().len(), options.lower, options.upper)?;
+    let bounds = Bounds::cube(family.parameters().len(), lower, upper)?;
     let search = Search { reduced: &reduced, bounds: &bounds, mode, context };
     let runs = search.runs(name);
     context.progress.end();

@@ -114,7 +114,7 @@ pub enum ComplexError {
         vertex: usize,
     },
     /// A layer of faces was to be made of no width, or of all.
-    #[error("a layer around corners takes a share of the faces there between 0 and 1, not {share}")]
+    #[error("a layer around corners takes a share of the faces there between 0 and 1, not {share:?}")]
     Share {
         /// The share asked for.
         share: f64,

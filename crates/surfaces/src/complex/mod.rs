@@ -224,6 +224,18 @@ impl Complex {
         Ok(Self { points, ..self.clone() })
     }
 
+    /// The complex moved.
+    ///
+    /// # Errors
+    /// [`ComplexError::NotFinitePoint`] where it leaves the range of doubles.
+    pub fn moved(&self, by: Point) -> Result<Self, ComplexError> {
+        let points: Vec<Point> = self.points.iter().map(|&p| p + by).collect();
+        match points.iter().position(|p| !p.is_finite()) {
+            Some(index) => Err(ComplexError::NotFinitePoint { index }),
+            None => Ok(Self { points, ..self.clone() }),
+        }
+    }
+
     /// The (p + 1) × (p + 1) net of a face, all its points fixed.
     ///
     /// # Errors

@@ -90,6 +90,11 @@ impl Bezier {
         self
     }
 
+    /// The curve moved.
+    pub(super) fn moved(&self, by: Point) -> Self {
+        Self { points: self.points.iter().map(|&p| p + by).collect() }
+    }
+
     /// The direction in which it leaves its start, of any length; zero only for a curve in one point.
     pub fn direction(&self) -> Point {
         let away = |p: &Point| *p - self.points[0];

@@ -126,6 +126,32 @@ impl BoundaryCurve {
         }
     }
 
+    /// The curve moved.
+    #[must_use]
+    pub fn moved(&self, by: Point) -> Self {
+        match self {
+            Self::Bezier(curve) => Self::Bezier(curve.moved(by)),
+            Self::Polyline(chain) => Self::Polyline(chain.moved(by)),
+            Self::Spline(curve) => Self::Spline(curve.moved(by)),
+            Self::Through(samples) => Self::Through(samples.moved(by)),
+            Self::Arc(arc) => Self::Arc(arc.moved(by)),
+        }
+    }
+
+    /// The points it is given by: control points, vertices, samples; of an arc its centre and the ends of its half axes.
+    pub fn given_points(&self) -> Vec<Point> {
+        match self {
+            Self::Bezier(curve) => curve.points().to_vec(),
+            Self::Polyline(chain) => chain.points().to_vec(),
+            Self::Spline(curve) => curve.points().to_vec(),
+            Self::Through(samples) => samples.points().to_vec(),
+            Self::Arc(arc) => {
+                let ([a, b], [r, s]) = (arc.axes(), arc.radii());
+                vec![arc.center(), arc.center() + a * r, arc.center() + b * s]
+            }
+        }
+    }
+
     /// The diagonal of a box around it, not much larger than the curve.
     pub fn size(&self) -> f64 {
         match self {

@@ -116,6 +116,11 @@ impl EllipseArc {
         }
     }
 
+    /// The arc moved.
+    pub(super) fn moved(&self, by: Point) -> Self {
+        Self { center: self.center + by, ..self.clone() }
+    }
+
     /// The same arc run the other way.
     pub fn reversed(&self) -> Self {
         Self { from: self.to, to: self.from, ..self.clone() }

@@ -46,7 +46,7 @@ pub enum CurveError {
         found: usize,
     },
     /// Knots descend or are not finite.
-    #[error("knot {index} is {knot}: knots must be finite and never descend")]
+    #[error("knot {index} is {knot:?}: knots must be finite and never descend")]
     KnotOrder {
         /// Position in the list of knots.
         index: usize,
@@ -55,7 +55,7 @@ pub enum CurveError {
     },
     /// A knot is repeated so often that the curve breaks there.
     #[error(
-        "the knot {knot} stands so often that the curve breaks there; inside at most {degree} times, at the ends once more"
+        "the knot {knot:?} stands so often that the curve breaks there; inside at most {degree} times, at the ends once more"
     )]
     KnotMultiplicity {
         /// The knot.
@@ -72,7 +72,7 @@ pub enum CurveError {
         found: usize,
     },
     /// A weight is not positive, or far too large or small beside the others.
-    #[error("weight {index} is {weight}: weights must be positive, none more than 1e9 times another")]
+    #[error("weight {index} is {weight:?}: weights must be positive, none more than 1e9 times another")]
     Weight {
         /// Position in the list.
         index: usize,
@@ -80,7 +80,7 @@ pub enum CurveError {
         weight: f64,
     },
     /// A tolerance is not positive.
-    #[error("tolerance {tolerance} must be a positive number")]
+    #[error("tolerance {tolerance:?} must be a positive number")]
     Tolerance {
         /// The tolerance given.
         tolerance: f64,
@@ -94,13 +94,13 @@ pub enum CurveError {
         second: [f64; 3],
     },
     /// A radius is not positive.
-    #[error("radius {radius} must be a positive number")]
+    #[error("radius {radius:?} must be a positive number")]
     Radius {
         /// The radius given.
         radius: f64,
     },
     /// An arc is empty or longer than a full turn.
-    #[error("an arc from {from} to {to} radians; it must turn, and by no more than a full turn")]
+    #[error("an arc from {from:?} to {to:?} radians; it must turn, and by no more than a full turn")]
     Angles {
         /// Angle of the start.
         from: f64,

@@ -15,8 +15,12 @@ impl Polyline {
     ///
     /// # Errors
     /// [`CurveError::Count`] below two points, [`CurveError::NotFinite`], [`CurveError::Point`].
-    pub fn new(mut points: Vec<Point>) -> Result<Self, CurveError> {
+    pub fn new(points: Vec<Point>) -> Result<Self, CurveError> {
         check_points("polyline", 2, &points)?;
+        Ok(Self::measured(points))
+    }
+
+    fn measured(mut points: Vec<Point>) -> Self {
         points.dedup();
         let mut length = 0.0;
         let mut lengths = vec![0.0];
@@ -24,7 +28,7 @@ impl Polyline {
             length += ends[0].distance(ends[1]);
             lengths.push(length);
         }
-        Ok(Self { points, lengths })
+        Self { points, lengths }
     }
 
     /// The points.
@@ -45,6 +49,11 @@ impl Polyline {
     /// The diagonal of the bounding box.
     pub fn size(&self) -> f64 {
         extent(&self.points)
+    }
+
+    /// The chain moved; neighbours that rounding makes one count once.
+    pub(super) fn moved(&self, by: Point) -> Self {
+        Self::measured(self.points.iter().map(|&p| p + by).collect())
     }
 
     /// The point at the share `t` ∈ [0, 1] of the length.

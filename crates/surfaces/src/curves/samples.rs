@@ -53,6 +53,11 @@ impl Samples {
         self.tolerance
     }
 
+    /// The samples moved.
+    pub(super) fn moved(&self, by: Point) -> Self {
+        Self { chain: self.chain.moved(by), ..*self }
+    }
+
     /// The curve run the other way.
     pub fn reversed(&self) -> Self {
         Self { chain: self.chain.reversed(), ..*self }

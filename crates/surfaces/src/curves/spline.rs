@@ -101,6 +101,13 @@ impl SplineCurve {
         CurveJet { point: jet.point, d1: jet.d1 * factor, d2: jet.d2 * (factor * factor) }
     }
 
+    /// The curve moved.
+    pub(super) fn moved(&self, by: Point) -> Self {
+        let points: Vec<Point> = self.points.iter().map(|&p| p + by).collect();
+        let spans = spans(self.degree, &self.knots, &points, self.weights.as_deref());
+        Self { points, spans, ..self.clone() }
+    }
+
     /// The same curve run the other way.
     pub fn reversed(&self) -> Self {
         let [from, to] = [self.knots[0], self.knots[self.knots.len() - 1]];
