@@ -84,7 +84,8 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
         & only_of_areas("layers", layers_given.span().filter(|_| layers.is_some_and(|layers| layers > 0)))
         & only_of_areas("accuracy", accuracy_given.span())
         & only_of_areas("bound", bound_given.span().filter(|_| bound == Some(true)));
-    let wanted = wanted_of(table, Some(Subject::Film));
+    let wanted =
+        wanted_of(table, Some(Subject::Film { least: energy.map(|energy| energy == FillEnergy::Area) }));
     let method = FilmMethod {
         name: name?,
         energy: energy?,

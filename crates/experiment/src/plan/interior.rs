@@ -14,7 +14,7 @@ const INTERIORS: &str = "say how the interior is found by one of energy = \"diri
 
 /// How a method says its interior is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Interior {
+pub(in crate::plan) enum Interior {
     Extremal(Functional),
     MetricCorrections(usize),
     LeastArea,

@@ -107,7 +107,8 @@ impl Draft<'_> {
         };
         let domain = self.domain(interior.as_ref());
         let searched = matches!(shape, Some(Shape::Search(_)));
-        let subject = family.filter(|_| shape.is_some()).map(|family| Subject::Patch { family, searched });
+        let subject =
+            family.filter(|_| shape.is_some()).map(|family| Subject::Patch { family, searched, interior });
         // What does not fit its boundary has been reported, and is not built to be refused again.
         let method = (|| {
             let settings =

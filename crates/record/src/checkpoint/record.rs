@@ -61,7 +61,7 @@ impl RunRecord {
             nan_evaluations: self.nan_evaluations,
             history: numbers(&self.history),
             polish: match &self.polish {
-                Some(polish) => Some(polish.polished()?),
+                Some(polish) => Some(polish.polished(self.shape.len())?),
                 None => None,
             },
             on_budget: self.on_budget,
@@ -89,14 +89,15 @@ impl PolishRecord {
         }
     }
 
-    fn polished(&self) -> Option<Polished> {
+    /// Over as many parameters; none if its lists are of another length.
+    fn polished(&self, parameters: usize) -> Option<Polished> {
         let bound = |side: &i8| match side {
             -1 => Some(Bound::Lower),
             0 => Some(Bound::Free),
             1 => Some(Bound::Upper),
             _ => None,
         };
-        if [self.point.len(), self.gradient.len(), self.active.len()] != [4; 3] {
+        if [self.point.len(), self.gradient.len(), self.active.len()] != [parameters; 3] {
             return None;
         }
         Some(Polished {

@@ -2,23 +2,29 @@
 
 use std::ops::Range;
 
-use plateau::{Family, Quantity};
+use plateau::{Family, Functional, Quantity};
 use serde_spanned::Spanned;
 
 use super::{Expected, Published, Wanted};
 use crate::diagnostic::position;
 use crate::keys::expect::{self, Expectation, HEADING, PRINTED, QUANTITY, REASON, SOURCE};
 use crate::keys::method::{EXPECT, PUBLISHED};
+use crate::plan::interior::Interior;
 use crate::text::{Faults, Given, Table, Tables, counted, half_unit_of_last_digit};
 
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Subject {
+pub(in crate::plan) enum Subject {
     Patch {
         family: Family,
         searched: bool,
+        /// None where it is faulty: then it has whatever is asked for.
+        interior: Option<Interior>,
     },
-    Film,
+    Film {
+        /// Whether its area is least: none where that is faulty.
+        least: Option<bool>,
+    },
     Helicoid,
     Net,
     /// As many samples in all; with several shapes, where these are listed.
@@ -32,45 +38,91 @@ impl Subject {
     /// Why a result of this subject has no such figure, if it has none.
     fn lacks(self, quantity: Quantity) -> Option<&'static str> {
         use Quantity as Q;
-        match (self, quantity) {
-            (Self::Curve { .. }, Q::Curvature(_)) => None,
-            (Self::Curve { .. }, _) => Some("the result of a curve has only `curvature`: take the key out"),
-            (_, Q::Curvature(_)) => Some(
+        let is_curve = matches!(self, Self::Curve { .. });
+        if is_curve && !matches!(quantity, Q::Curvature(_)) {
+            return Some("the result of a curve has only `curvature`: take the key out");
+        }
+        match quantity {
+            Q::Curvature(_) => (!is_curve).then_some(
                 "`curvature` is for [curve] experiments; surfaces have `mean-curvature-max`: take the key out",
             ),
-            (
-                Self::Helicoid,
-                Q::Shape(_) | Q::SearchMinimum | Q::BoundaryDeviation | Q::HarmonicBound | Q::Residual,
-            ) => Some(
-                "a helicoid has neither boundary curves nor shape parameters to compare, only `deviation`: take the key out",
+            Q::Dirichlet
+            | Q::Area
+            | Q::LaplacianDefect
+            | Q::Bending
+            | Q::ConformalityGap
+            | Q::MeanCurvatureMax
+            | Q::MeanCurvatureRms => None,
+            Q::CoonsFunctional => self.unless_made_by(
+                |interior| matches!(interior, Interior::Extremal(Functional::Coons)),
+                "only what minimises it has it, energy = \"coons\": take the key out",
             ),
-            (Self::Net, Q::Shape(_) | Q::SearchMinimum | Q::Residual | Q::Deviation) => Some(
-                "of a net that is given nothing is solved or searched, and no closed form is known: take the key out",
+            Q::MetricDirichlet => self.unless_made_by(
+                |interior| matches!(interior, Interior::MetricCorrections(_)),
+                "only metric corrections have it: add `metric-steps`, or take the key out",
             ),
-            (
-                Self::Film,
-                Q::Residual
-                | Q::BoundaryDeviation
-                | Q::HarmonicBound
-                | Q::Deviation
-                | Q::Shape(_)
-                | Q::SearchMinimum,
-            ) => Some(
-                "surfaces over loops and faces have energies, area and curvatures only: take the key out",
+            Q::Residual => self.unless_made_by(
+                |interior| !matches!(interior, Interior::LeastArea),
+                "no single linear system is solved for this surface: take the key out",
             ),
-            (Self::Patch { .. }, Q::Deviation) => {
-                Some("`deviation` is for helicoids: write `boundary-deviation`, or take the key out")
-            }
-            (Self::Patch { family, .. }, Q::Shape(_)) if family.parameters().is_empty() => {
-                Some("the Bernstein basis has no shape parameters: take the key out, or write basis = \"gt\"")
-            }
-            (Self::Patch { searched: false, .. }, Q::SearchMinimum) => {
+            Q::BoundaryDeviation | Q::HarmonicBound => match self {
+                Self::Patch { family, .. } if family != Family::Triangle => None,
+                Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => {
+                    Some("only tensor patches over four sides have this figure: take the key out")
+                }
+            },
+            Q::Deviation => match self {
+                Self::Helicoid => None,
+                Self::Net => Some("no closed form of a net that is given is known: take the key out"),
+                Self::Patch { .. } | Self::Film { .. } | Self::Curve { .. } => {
+                    Some("`deviation` is for helicoids: write `boundary-deviation` or `rim-deviation`, or take the key out")
+                }
+            },
+            Q::Kink | Q::RimDeviation => (!matches!(self, Self::Film { .. }))
+                .then_some("only surfaces over loops and faces have this figure: take the key out"),
+            Q::SpannedOneByOne => (!matches!(self, Self::Film { least: None | Some(true) }))
+                .then_some("only least areas over loops have this figure: take the key out"),
+            Q::JacobianRatio => match self {
+                Self::Film { .. } => None,
+                Self::Patch { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => self.unless_made_by(
+                    |interior| matches!(interior, Interior::LeastArea),
+                    "only least areas and surfaces over loops and faces have this figure: take the key out",
+                ),
+            },
+            Q::Shape(_) | Q::SearchMinimum => self.lacks_shape(quantity == Q::SearchMinimum),
+        }
+    }
+
+    /// The same of the shape parameters, or of what a search for them found.
+    fn lacks_shape(self, found: bool) -> Option<&'static str> {
+        match self {
+            Self::Patch { searched: true, .. } if found => None,
+            Self::Patch { .. } if found => {
                 Some("this method searches nothing: add search = true, or take the key out")
             }
-            (Self::Patch { family: Family::Triangle, .. }, Q::BoundaryDeviation | Q::HarmonicBound) => {
-                Some("only tensor patches have this figure: take the key out")
+            Self::Patch { family, .. } if !family.parameters().is_empty() => None,
+            Self::Patch { .. } => {
+                Some("the Bernstein basis has no shape parameters: take the key out, or write basis = \"gt\"")
             }
-            _ => None,
+            Self::Film { .. } => Some(
+                "surfaces over loops and faces have energies, area and curvatures, and no shape parameters: take the key out",
+            ),
+            Self::Helicoid => Some(
+                "a helicoid has no shape parameters to compare, only its `deviation` from the closed form: take the key out",
+            ),
+            Self::Net | Self::Curve { .. } => {
+                Some("what is given here has no shape parameters to compare or to search: take the key out")
+            }
+        }
+    }
+
+    /// `reason`, but for patches whose interior is made in a way that has the figure.
+    fn unless_made_by(self, has: fn(Interior) -> bool, reason: &'static str) -> Option<&'static str> {
+        match self {
+            Self::Patch { interior, .. } if interior.is_none_or(has) => None,
+            Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => {
+                Some(reason)
+            }
         }
     }
 
@@ -87,13 +139,13 @@ impl Subject {
     fn counted_by(self) -> Option<Range<usize>> {
         match self {
             Self::Curve { shapes, .. } => shapes.map(|[start, end]| start..end),
-            Self::Patch { .. } | Self::Film | Self::Helicoid | Self::Net => None,
+            Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net => None,
         }
     }
 }
 
 /// Checks the top-level `expect` table.
-pub(crate) fn wanted(given: Given<Table<'_>>, subject: Option<Subject>) -> Option<Wanted> {
+pub(in crate::plan) fn wanted(given: Given<Table<'_>>, subject: Option<Subject>) -> Option<Wanted> {
     expectations(given, subject).map(|expect| Wanted { expect, published: Vec::new() })
 }
 
@@ -118,7 +170,10 @@ fn of<'t>(method: &Table<'_>, inner: Table<'t>) -> Table<'t> {
 }
 
 /// Checks an `expect` table, if there is one.
-pub(crate) fn expectations(given: Given<Table<'_>>, subject: Option<Subject>) -> Option<Vec<Expected>> {
+pub(in crate::plan) fn expectations(
+    given: Given<Table<'_>>,
+    subject: Option<Subject>,
+) -> Option<Vec<Expected>> {
     match given {
         Given::Absent => Some(Vec::new()),
         Given::Faulty => None,
