@@ -193,10 +193,10 @@ fn entities_of_drawings() {
     for (text, word) in [
         (dxf("0 INSERT 2 block 10 0 20 0"), "explode"),
         (dxf("0 LINE 10 0 20 0"), "no value of code 11"),
-        (dxf("0 LINE 10 a 20 0 11 1 21 1"), "\"a\" is no number"),
+        (dxf("0 LINE 10 a 20 0 11 1 21 1"), "\"a\" is not a number"),
         (dxf("0 CIRCLE 10 0 20 0 40 -1"), "radius"),
         ("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n".into(), "without EOF"),
-        ("0\nSECTION\n2\nENTITIES\nLINE\n0\n".into(), "line 5: \"LINE\" is no code"),
+        ("0\nSECTION\n2\nENTITIES\nLINE\n0\n".into(), "line 5: \"LINE\" is not a code"),
     ] {
         let message = read_curves(text.as_bytes(), "b.dxf").unwrap_err().to_string();
         assert!(message.contains(word), "{message}\ninstead of {word}");

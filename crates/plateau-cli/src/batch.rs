@@ -111,7 +111,7 @@ fn experiment(
     if let refused @ 1.. = checkpoint.refused() {
         let runs = counted(refused);
         say(&format!(
-            "warning: {}: not what the search finds, run again: {runs}",
+            "warning: {}: {runs} in it are not what the search finds and are run again",
             checkpoint.path().display()
         ));
     }
@@ -230,7 +230,7 @@ fn counted(runs: usize) -> String {
 /// Removes the checkpoint of an experiment that is done.
 fn forget(checkpoint: &Checkpoint) {
     if let Err(error) = checkpoint.remove() {
-        say(&format!("warning: {} is of no use any more: {error}", checkpoint.path().display()));
+        say(&format!("warning: {} is not needed any more and could not be removed: {error}", checkpoint.path().display()));
     }
 }
 

@@ -17,7 +17,7 @@ pub(crate) fn pair(text: &str) -> Result<[f64; 2], String> {
 pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(seconds) if (0.0..=3.2e7).contains(&seconds) => Ok(seconds),
-        _ => Err("this is no number of seconds from 0 to 3.2e7".to_owned()),
+        _ => Err("give seconds, from 0 to 3.2e7".to_owned()),
     }
 }
 

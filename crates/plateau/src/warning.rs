@@ -108,7 +108,7 @@ pub enum Warning {
     /// Parts of an extremal of high degree that no control net can hold.
     #[error(
         "parts of the extremal that move no point by more than {share:.1e} of the size are left out: rounding of their control \
-         points would move it as far; a lower degree, or sides whose control points oscillate less, need none of them"
+         points would move it as far; a lower degree, or sides whose control points oscillate less, avoid that"
     )]
     LeftOut {
         /// How far they reach, as a share of the size of the boundary.
@@ -147,8 +147,8 @@ pub enum Warning {
     },
     /// No net of nearly the least area has its control points near the border and an even parametrisation.
     #[error(
-        "control points lie further from the boundary than its size, or the parametrisation nearly folds: the area asks for it, and \
-         no surface near has neither; figures of the parametrisation are not sure"
+        "control points lie further from the boundary than its size, or the parametrisation nearly folds: no surface of \
+         nearly this area was found without that, and figures that depend on the parametrisation are unsure"
     )]
     FarNet,
     /// A negative second variation of the area.
@@ -230,8 +230,7 @@ pub enum Warning {
     },
     /// A curve whose tangent vanishes at samples.
     #[error(
-        "the tangent vanishes at t = {}: there is no curvature there, and result.json has no list of them; curve.csv has \
-         those of the other samples",
+        "the tangent vanishes at t = {}: there is no curvature there, and so no list of the curvatures of all samples",
         first_five(at)
     )]
     CurveSingular {
@@ -351,7 +350,7 @@ fn no_layer(wanted: usize, set: usize) -> String {
     let more = if set == 0 { "" } else { " more" };
     let layers = if wanted - set == 1 { "layer" } else { "layers" };
     format!(
-        "no{more} {layers} of smaller patches: no corner needs one, it does not lower the area, or the surface without it is no stable minimum"
+        "no{more} {layers} of smaller patches could be set: no corner needs one, it does not lower the area, or the surface without it is not a stable minimum"
     )
 }
 

@@ -138,11 +138,11 @@ pub fn shard(
             return refused("SLURM_ARRAY_TASK_COUNT is not set");
         };
         let Some(place) = task.checked_sub(least).filter(|place| place % step == 0) else {
-            return refused("it is none of SLURM_ARRAY_TASK_MIN and equal steps from there");
+            return refused("it is not SLURM_ARRAY_TASK_MIN plus a multiple of SLURM_ARRAY_TASK_STEP");
         };
         return match Shard::new(place / step + 1, of) {
             Ok(shard) => Ok((shard, Some(SLURM))),
-            Err(_) => refused(&format!("the tasks of the array are no {of} numbers in a row")),
+            Err(_) => refused(&format!("the tasks of the array are not {of} numbers in equal steps")),
         };
     }
     match (asked, number(HYPERQUEUE)?) {

@@ -129,7 +129,7 @@ fn spline(entity: &Entity<'_>) -> Result<Shape, CurveFileError> {
     }
     let degree = entity.need(71)?;
     if !(1.0..=30.0).contains(&degree) || degree.fract() != 0.0 {
-        return Err(entity.wrong(&format!("{degree} is no degree")));
+        return Err(entity.wrong(&format!("{degree} is not a degree")));
     }
     let weights = entity.numbers(41)?;
     let weights = (weights.iter().any(|w| *w != weights[0])).then_some(weights);

@@ -374,7 +374,7 @@ fn number(cell: &str, line: usize) -> Result<f64, CurveFileError> {
     cell.parse::<f64>()
         .ok()
         .filter(|x| x.is_finite())
-        .ok_or_else(|| CurveFileError::at(line, format!("{:?} is no number", limits::name(cell))))
+        .ok_or_else(|| CurveFileError::at(line, format!("{:?} is not a number", limits::name(cell))))
 }
 
 /// A coordinate within what is read.

@@ -13,7 +13,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<(String, Option<String>), CurveFile
     if let Some((rest, unit)) = wide {
         let units: Vec<u16> = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]])).collect();
         let text = String::from_utf16(&units).map_err(|_| {
-            CurveFileError::File("begins as UTF-16 and is none: save it as text in UTF-8".into())
+            CurveFileError::File("begins as UTF-16 does, but is not: save it as text in UTF-8".into())
         })?;
         return Ok((text, None));
     }

@@ -201,7 +201,7 @@ pub(crate) static DOMAIN: Key<Name<ReferenceTriangle>> = Key::new(
     "domain",
     Name(&[("right", ReferenceTriangle::Right), ("equilateral", ReferenceTriangle::Equilateral)]),
     "the plane triangle over which the energy of a triangular extremal is taken: over the \"right\" one of the papers the corner C is apart, \
-     over the \"equilateral\" one none is",
+     over the \"equilateral\" one all corners are alike",
 )
 .or("\"right\"")
 .over(&[TRIANGLE]);

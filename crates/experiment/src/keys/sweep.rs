@@ -127,7 +127,7 @@ pub(crate) mod axis {
     .such_as("\"degree\"");
 
     pub(crate) static SECTION: Section = Section {
-        doc: "one direction of a sweep: what varies (`key`, `scale` or `boundaries`) and through which `values`, or `from` where `to` where",
+        doc: "one direction of a sweep: what varies (`key`, `scale` or `boundaries`) and through which values (`values`, or a range `from` … `to`)",
         keys: &[&NAME, &KEY, &SCALE, &BOUNDARIES, &VALUES, &LABELS, &FROM, &TO, &COUNT, &BY, &SPACING, &WITH],
         ways: Ways::One(&[&["key"], &["scale"], &["boundaries"]]),
     };

@@ -180,7 +180,7 @@ fn addresses(faults: &Faults<'_>, texts: Vec<Spanned<String>>) -> Option<Vec<Spa
         match Address::parse(text.get_ref()) {
             Ok(address) => sound.push(Spanned::new(text.span(), address)),
             Err(lost) => {
-                let message = format!("`key` is no way to a key: {}", lost.why);
+                let message = format!("`key` leads to no key: {}", lost.why);
                 faults.inadmissible(text.span(), message, "this key", lost.remedy);
                 return None;
             }

@@ -116,7 +116,7 @@ impl Base {
     fn unfit(&self, axes: &[Axis], fault: Option<Diagnostic>) -> Diagnostic {
         let why = fault.map_or(String::new(), |fault| fault.message().to_owned());
         let span = axes.first().map_or(0..0, |axis| axis.span.clone());
-        Diagnostic::at(Fault::Conflict, span, format!("the file without its [sweep] is none: {why}"), "")
+        Diagnostic::at(Fault::Conflict, span, format!("without [sweep] the file is no experiment: {why}"), "")
             .help("write the tables of the experiment and of [sweep] under headers of their own")
     }
 

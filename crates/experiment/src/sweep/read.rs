@@ -123,7 +123,7 @@ fn go_in_step(faults: &Faults<'_>, axes: &mut [Axis]) -> Option<()> {
             return refuse(message, &format!("the other axes are: {}", names.join(", ")));
         };
         if axes[other].partner.is_some() {
-            let message = format!("the axis `{name}` goes in step with another itself");
+            let message = format!("the axis `{name}` itself goes in step with another");
             return refuse(message, "name the axis that both go with");
         }
         let [mine, theirs] = [k, other].map(|axis| axes[axis].settings().len());

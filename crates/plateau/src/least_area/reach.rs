@@ -21,8 +21,9 @@ use super::steps::{EVENNESS, Model};
 use super::tensor::times;
 use crate::MethodError;
 
-/// Nodes of a cell up to which its control points follow from its nodes without undue rounding: degree 16.
-const MOST_NODES: usize = 17 * 17;
+/// Nodes of a cell up to which its control points are asked to be near: degree 12. Beyond, ripples that hardly show are worth the last
+/// digits for which such degrees are taken, and control points follow from the nodes with rounding.
+const MOST_NODES: usize = 13 * 13;
 
 /// The shares by which nets are pulled: the largest, and what the next is of one.
 const LARGEST_PULL: f64 = 1e-3;

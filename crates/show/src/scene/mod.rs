@@ -42,7 +42,7 @@ pub struct Scene<'a> {
     pub(crate) centre: Point,
     /// Half the diagonal of that box; positive.
     pub(crate) radius: f64,
-    /// Whence the surfaces are seen.
+    /// Where the surfaces are seen from.
     pub(crate) direction: Direction,
 }
 

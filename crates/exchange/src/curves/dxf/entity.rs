@@ -72,7 +72,7 @@ fn pairs(text: &str) -> impl Iterator<Item = Result<Pair<'_>, CurveFileError>> {
             Ok(code) => Ok((code, value, line)),
             Err(_) => Err(CurveFileError::at(
                 line,
-                format!("{:?} is no code of DXF, which is a whole number", limits::name(code)),
+                format!("{:?} is not a code of DXF: those are whole numbers", limits::name(code)),
             )),
         })
     })
@@ -109,7 +109,7 @@ impl<'a> Entity<'a> {
     pub(super) fn parsed(&self, pair: &Pair<'_>) -> Result<f64, CurveFileError> {
         let number = pair.1.parse::<f64>().ok().filter(|x| x.is_finite() && x.abs() <= LARGEST_COORDINATE);
         number.ok_or_else(|| {
-            CurveFileError::at(pair.2 + 1, format!("{}: {:?} is no number", self.kind, limits::name(pair.1)))
+            CurveFileError::at(pair.2 + 1, format!("{}: {:?} is not a number", self.kind, limits::name(pair.1)))
         })
     }
 

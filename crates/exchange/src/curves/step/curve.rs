@@ -375,7 +375,7 @@ impl Fields<'_> {
         if (0.0..=1000.0).contains(&x) && x.fract() == 0.0 {
             Ok(x as usize)
         } else {
-            Err(self.wrong(&format!("{x} is no degree")))
+            Err(self.wrong(&format!("{x} is not a degree")))
         }
     }
 
