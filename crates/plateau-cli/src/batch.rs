@@ -230,7 +230,10 @@ fn counted(runs: usize) -> String {
 /// Removes the checkpoint of an experiment that is done.
 fn forget(checkpoint: &Checkpoint) {
     if let Err(error) = checkpoint.remove() {
-        say(&format!("warning: {} is not needed any more and could not be removed: {error}", checkpoint.path().display()));
+        say(&format!(
+            "warning: {} is not needed any more and could not be removed: {error}",
+            checkpoint.path().display()
+        ));
     }
 }
 

@@ -117,7 +117,9 @@ impl Checkpoint {
             return Err(CheckpointError::Foreign(differences));
         }
         let runs: Option<BTreeMap<_, _>> = record.runs.iter().map(RunRecord::run).collect();
-        let runs = runs.ok_or_else(|| CheckpointError::Damaged("it holds a run that this program cannot have made".into()))?;
+        let runs = runs.ok_or_else(|| {
+            CheckpointError::Damaged("it holds a run that this program cannot have made".into())
+        })?;
         let count = runs.len();
         let mut state = self.lock();
         (state.runs, state.written) = (runs, true);

@@ -273,7 +273,13 @@ impl Work<'_> {
             return Outcome::Interrupted;
         }
         if let Err(error) = checkpoint.remove() {
-            self.tell(plan, &format!("{} is not needed any more and could not be removed: {error}", checkpoint.path().display()));
+            self.tell(
+                plan,
+                &format!(
+                    "{} is not needed any more and could not be removed: {error}",
+                    checkpoint.path().display()
+                ),
+            );
         }
         for refusal in &delivered.refusals {
             self.tell(plan, &refusal.to_string());

@@ -109,7 +109,10 @@ impl<'a> Entity<'a> {
     pub(super) fn parsed(&self, pair: &Pair<'_>) -> Result<f64, CurveFileError> {
         let number = pair.1.parse::<f64>().ok().filter(|x| x.is_finite() && x.abs() <= LARGEST_COORDINATE);
         number.ok_or_else(|| {
-            CurveFileError::at(pair.2 + 1, format!("{}: {:?} is not a number", self.kind, limits::name(pair.1)))
+            CurveFileError::at(
+                pair.2 + 1,
+                format!("{}: {:?} is not a number", self.kind, limits::name(pair.1)),
+            )
         })
     }
 
