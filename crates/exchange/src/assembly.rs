@@ -69,7 +69,7 @@ impl Assembly {
         }
         let size = size(file).ok_or(AssemblyError::NoSize)?;
         let tolerance = options.weld.unwrap_or(AssemblyOptions::WELD * size);
-        if !(tolerance >= 0.0 && tolerance <= 0.25 * size) {
+        if !(tolerance >= 0.0 && tolerance <= weld::MOST_WELDED * size) {
             let expected = "0 to a quarter of the size of the curves";
             return Err(AssemblyError::Option { name: "weld", value: tolerance, expected });
         }

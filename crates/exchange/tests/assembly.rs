@@ -33,21 +33,36 @@ fn round(assembly: &Assembly, walks: &[Walk]) -> Vec<[f64; 3]> {
 
 #[test]
 fn a_closed_polyline_is_cut_at_its_corners() {
-    let text = "0,0,0\n1,0,0\n2,0,0\n2,1,0.2\n2,2,0\n0,2,0\n";
+    let text = "0,0,0\n1,0,0\n2,0,0\n2,0.7,0.2\n2,1.3,0.2\n2,2,0\n0,2,0\n";
     let assembly = sound("loop.csv", text);
     let walks = &loops(&assembly)[0];
     assert_eq!((loops(&assembly).len(), walks.len(), assembly.vertices.len()), (1, 4, 4));
     // Straight sides are two points.
     let counts: Vec<usize> =
         walks.iter().map(|walk| assembly.sides[walk.side].shape.sampled().len()).collect();
-    assert_eq!(counts, [2, 3, 2, 2]);
-    // A sharper limit makes the bend in the second side a corner, a wider one leaves the loop smooth.
-    for (corner_angle, sides) in [(10.0, 5), (120.0, 1)] {
+    assert_eq!(counts, [2, 4, 2, 2]);
+    // A sharper limit makes the bends in the second side corners, a wider one leaves the loop smooth.
+    for (corner_angle, sides) in [(10.0, 6), (120.0, 1)] {
         let assembly =
             assembled("loop.csv", text, &AssemblyOptions { corner_angle, ..AssemblyOptions::default() })
                 .unwrap();
         assert_eq!(loops(&assembly)[0].len(), sides);
     }
+}
+
+/// Nobody samples a curve by its middle: the ridge of a gable is a corner, however flat the roof.
+#[test]
+fn a_point_alone_between_two_corners_is_one() {
+    let gable = |height: f64| format!("v 0 0 3\nv 4 0 {height}\nv 8 0 3\nv 8 6 3\nv 0 6 3\nl 1 2 3 4 5 1\n");
+    let sides = |height: f64| sound("gable.obj", &gable(height)).sides.len();
+    // Turns of 41°, 13° and 6°.
+    assert_eq!([4.5, 3.46, 3.2].map(sides), [5, 5, 4]);
+    // A polyline of its own, with a name, is a side, whatever it passes.
+    let side = "v 0 0 3\nv 4 0 4.5\nv 8 0 3\nv 8 6 3\nv 0 6 3\ng arc\nl 1 2 3\ng rest\nl 3 4 5 1\n";
+    assert_eq!(sound("side.obj", side).sides.len(), 4);
+    // Two points between corners are samples.
+    let arch = "v 0 0 0\nv 3 0 1\nv 6 0 1\nv 9 0 0\nv 9 6 0\nv 0 6 0\nl 1 2 3 4 5 6 1\n";
+    assert_eq!(sound("arch.obj", arch).sides.len(), 4);
 }
 
 #[test]

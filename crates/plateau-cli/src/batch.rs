@@ -111,7 +111,7 @@ fn experiment(
     if let refused @ 1.. = checkpoint.refused() {
         let runs = counted(refused);
         say(&format!(
-            "warning: {}: {runs} in it are not what the search finds and are run again",
+            "warning: {}: not what the search finds, so run again: {runs}",
             checkpoint.path().display()
         ));
     }

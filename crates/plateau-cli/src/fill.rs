@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, read_curves};
+use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, Shape, Side, read_curves};
 use experiment::{ImportError, ImportOptions, Options, Plan};
 use plateau::{AreaEnd, Fill, Film, MethodError, Warning, Way};
 use record::{Destination, ExportError, ResultFile};
@@ -63,7 +63,7 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
         let written = match wanted {
             Wanted::Surface(format) => {
                 record::export_complex(*format, &title, (&film.complex, &film.mesh.mesh), to)
-                    .map(|form| form.map(|form| form.description))
+                    .map(|form| form.map(|form| form.description + unit(*format)))
             }
             Wanted::Experiment => {
                 let text = experiment().map_err(|error| refuse(&error))?;
@@ -78,6 +78,11 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
         sound &= told(written, to);
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// What a program that reads the file takes its numbers for, where that is not left open.
+fn unit(format: Format) -> &'static str {
+    if format == Format::Step { "; CAD programs take its numbers for millimetres" } else { "" }
 }
 
 /// Says what was written, or why nothing was; whether it was.
@@ -131,7 +136,8 @@ fn output(path: &Path, inputs: &[PathBuf]) -> Result<(Wanted, Destination), Fail
             let known: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
             let known = known.join(", ");
             return Err(refuse(format!(
-                "files are written by their extension: {known}, stp for a surface, toml for the experiment, json for its result"
+                "files are written by their extension: {known}, stp for a surface, toml for the experiment, json for its result; \
+                 pictures and a page are made by `plateau run` of the experiment"
             )));
         }
     };
@@ -186,6 +192,9 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
     row("area", format!("{} ± {:.1e}", digits(area.value), area.error))?;
     if let Some(estimate) = film.estimate {
         row("least area", format!("about {} less (estimated)", Form::Order.of(estimate)))?;
+    } else if !film.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_))) {
+        let why = "not estimated, which would cost more than the surface did; --accuracy 1e-6 estimates it";
+        row("least area", why.into())?;
     }
     if let Some(bound) = &film.bound {
         row("least area", format!("≥ {}, proved of {}", digits(bound.value), bound.competitors.name()))?;
@@ -209,7 +218,13 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
         let (largest, area) = (film.rim.largest, film.rim.area);
         row("rim", format!("within {largest:.1e} of the curves, which can change the area by {area:.1e}"))?;
     } else {
-        row("rim", "exact".into())?;
+        let is_sampled = |side: &Side| matches!(&side.shape, Shape::Polyline(points) if points.len() > 2);
+        let exact = if assembly.sides.iter().any(is_sampled) {
+            "exact in the points given, a smooth curve between them"
+        } else {
+            "exact"
+        };
+        row("rim", exact.into())?;
     }
     let weld = assembly.weld;
     if weld.count > 0 {

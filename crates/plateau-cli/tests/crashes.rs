@@ -340,7 +340,7 @@ fn a_forged_run_with_the_right_hash_is_run_again() {
         assert!(output.status.success() && contents(&out) == contents(&undisturbed), "{what}: {said}");
         assert!(said.contains("6 finished search runs taken from"), "{what}: {said}");
         assert!(
-            said.contains("not what the search finds, run again: 1 finished search run"),
+            said.contains("not what the search finds, so run again: 1 finished search run"),
             "{what}: {said}"
         );
     }

@@ -24,11 +24,8 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
             is_vertex[node] = true;
             continue;
         }
-        let [from, to] = [first, second]
-            .map(|link| network.points[if link.nodes[0] == node { link.nodes[1] } else { link.nodes[0] }]);
-        let here = network.points[node];
-        let (before, after) = (here - from, to - here);
-        let turn = libm::atan2(before.cross(after).norm(), before.dot(after));
+        let ends = [first, second].map(|link| link.nodes[usize::from(link.nodes[0] == node)]);
+        let turn = turn(network, ends, node);
         // Regular polygons with exactly this turn are smooth whatever rounding does.
         if turn > angle * (1.0 + 1e-6) {
             is_vertex[node] = true;
@@ -38,6 +35,7 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
             is_vertex[node] = is_joint(file, first.curve, second.curve);
         }
     }
+    sharpest = lone_corners(network, file, &mut is_vertex, (angle, sharpest), &mut turns);
     if !turns.is_empty() || sharpest > 0.5 * angle {
         let degrees = |turn: f64| format!("{:.0}°", turn.to_degrees());
         let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
@@ -53,6 +51,53 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
         ));
     }
     is_vertex
+}
+
+/// The share of the angle of corners above which a point that stands alone between two corners is one, too: nobody samples a curve by its
+/// middle.
+const LONE: f64 = 0.25;
+
+/// Makes corners of points that stand alone between two corners; the largest turn of the points that are left.
+fn lone_corners(
+    network: &Network,
+    file: &CurveFile,
+    is_vertex: &mut [bool],
+    (angle, sharpest): (f64, f64),
+    turns: &mut Vec<f64>,
+) -> f64 {
+    let incidence = network.incidence();
+    let before = is_vertex.to_vec();
+    let mut left: f64 = 0.0;
+    for (node, links) in incidence.iter().enumerate() {
+        let [a, b] = links[..] else { continue };
+        if before[node] || a == b {
+            continue;
+        }
+        let [first, second] = [a, b].map(|k| &network.links[k]);
+        let ends = [first, second].map(|link| link.nodes[usize::from(link.nodes[0] == node)]);
+        let turn = turn(network, ends, node);
+        // A curve of the file that is no more than these is a side.
+        let is_side = first.curve == second.curve && file.curves[first.curve].shape.sampled().len() == 3;
+        if !is_side
+            && first.is_segment
+            && second.is_segment
+            && ends.iter().all(|&end| before[end])
+            && turn > LONE * angle
+        {
+            is_vertex[node] = true;
+            turns.push(turn);
+        } else {
+            left = left.max(turn);
+        }
+    }
+    sharpest.min(left)
+}
+
+/// By how much segments turn at a node between two others.
+fn turn(network: &Network, [from, to]: [usize; 2], node: usize) -> f64 {
+    let here = network.points[node];
+    let (before, after) = (here - network.points[from], network.points[to] - here);
+    libm::atan2(before.cross(after).norm(), before.dot(after))
 }
 
 /// Whether the point between two curves of a file ends a side although it is smooth: sides of a table do, and curves of different

@@ -3,6 +3,7 @@
 use surfaces::Point;
 
 use super::network::Network;
+use super::weld::MOST_WELDED;
 use super::{AssemblyError, Weld};
 use crate::CurveFile;
 
@@ -51,12 +52,20 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
         text += &format!("; and {} more", pairs.len() - NAMED);
     }
     let widest = pairs.iter().fold(0.0, |widest, pair| f64::max(widest, pair.0));
-    text += &format!(
-        ". Ends within {:.2e} are welded: a side may be missing there, or `--weld {}` joins {}",
-        weld.tolerance,
-        rounded_up(widest),
-        if pairs.len() == 1 { "them" } else { "them all" },
-    );
+    text += &format!(". Ends within {:.2e} are welded: ", weld.tolerance);
+    let is_of_one = |&(_, a, b): &(f64, usize, usize)| {
+        network.links[incidence[a][0]].curve == network.links[incidence[b][0]].curve
+    };
+    text += if pairs.iter().all(is_of_one) {
+        "repeat the first point of a curve at its end to close it"
+    } else {
+        "a side may be missing there"
+    };
+    // A wider weld is refused.
+    if widest <= MOST_WELDED * surfaces::extent(&network.points) {
+        let all = if pairs.len() == 1 { "them" } else { "them all" };
+        text += &format!(", or `--weld {}` joins {all}", rounded_up(widest));
+    }
     Err(AssemblyError::Gap(text))
 }
 

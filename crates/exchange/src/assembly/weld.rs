@@ -18,6 +18,9 @@ pub struct Weld {
     pub largest: f64,
 }
 
+/// The largest tolerance, as a share of the size of the curves.
+pub(super) const MOST_WELDED: f64 = 0.25;
+
 /// Most pairs of points looked at.
 const MOST_PAIRS: usize = 4_000_000;
 
