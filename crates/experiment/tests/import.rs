@@ -120,9 +120,15 @@ fn what_makes_no_boundary_is_told() {
         (sound.clone(), Some(65), "degree 65 is not offered"),
         // A gap, with its place and what closes it.
         (
+            "a,0,0,0\na,2,0,0\nb,2,0,0\nb,2,2,0\nc,2,2,0\nc,0.3,0.5,0\n".into(),
+            None,
+            "c ends at (0.3, 0.5, 0), a gap of 0.5831. Ends within 2.83e-4 are welded: a side may be missing there, or `--weld 0.59`",
+        ),
+        // No weld that would be refused is offered.
+        (
             "a,0,0,0\na,2,0,0\nb,2,0,0\nb,2,2,0\nc,2,2,0\nc,0.5,1.5,0\n".into(),
             None,
-            "c ends at (0.5, 1.5, 0), a gap of 1.5811. Ends within 2.83e-4 are welded: a side may be missing there, or `--weld 1.6`",
+            "Ends within 2.83e-4 are welded: a side may be missing there",
         ),
     ];
     for (text, degree, message) in cases {
