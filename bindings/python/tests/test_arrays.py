@@ -82,7 +82,7 @@ def test_wrong_options_are_named(
         (np.zeros((4, 2)), r"loops\[0\] has shape \(4, 2\)"),
         ([[[0, 0, 0], [1, 0, 0], [np.nan, 1, 0]]], r"loops\[0\]\[2\] is not finite"),
         ([[[[0, 0, 0], [1, 0, 0]], [[1, 0], [0, 0]]]], r"loops\[0\]\[1\] has shape"),
-        ([[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [0.5, 1, 0]], [[0.5, 1, 0], [0, 0.5, 0]]]], "or `weld=.*` joins them"),
+        ([[[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [0.5, 1, 0]], [[0.5, 1, 0], [0, 0.2, 0]]]], "or `weld=.*` joins them"),
     ],
 )
 def test_wrong_loops_are_named(loops: object, sentence: str) -> None:
