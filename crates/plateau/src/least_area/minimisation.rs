@@ -195,7 +195,6 @@ fn extremal<S: Space>(
         jacobian_ratio: 0.0,
         second_variation,
         left_saddle,
-        cutting_gains: 0.0,
         given_up: reached.beyond.max(0.0) * square,
     }
 }

@@ -43,8 +43,6 @@ pub struct AreaExtremal {
     pub second_variation: Option<f64>,
     /// Whether a saddle was met and left along its negative direction.
     pub left_saddle: bool,
-    /// What cutting an elongated patch across would gain, as far as it was tried; 0 if it was not.
-    pub cutting_gains: f64,
     /// The area that was given up so that no control point lies far from the border and the parametrisation stays even (unit:
     /// length²): what a smaller tolerance gains at least. 0 if nothing was.
     pub given_up: f64,
