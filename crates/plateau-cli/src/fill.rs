@@ -192,7 +192,9 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
     row("area", format!("{} ± {:.1e}", digits(area.value), area.error))?;
     if let Some(estimate) = film.estimate {
         row("least area", format!("about {} less (estimated)", Form::Order.of(estimate)))?;
-    } else if !film.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_))) {
+    } else if film.extremal.is_some_and(|found| found.end == AreaEnd::Stationary && found.area.settled)
+        && !film.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)))
+    {
         let why = "not estimated, which would cost more than the surface did; --accuracy 1e-6 estimates it";
         row("least area", why.into())?;
     }

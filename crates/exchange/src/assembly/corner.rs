@@ -3,13 +3,18 @@
 use super::network::Network;
 use crate::{CurveFile, Kind};
 
+/// The share of the angle of corners above which a point that stands alone between two corners is one, too: nobody samples a curve by its
+/// middle.
+const LONE: f64 = 0.25;
+
 /// The nodes in which sides end: where other than two links meet, beside a curve that is no polyline, at corners, and where a
 /// file begins another side.
 pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut Vec<String>) -> Vec<bool> {
     let incidence = network.incidence();
     let mut is_vertex = vec![false; network.points.len()];
     let mut turns: Vec<f64> = Vec::new();
-    let mut sharpest: f64 = 0.0;
+    // Nodes between two segments that are no corners by their turn.
+    let mut bends: Vec<(usize, f64)> = Vec::new();
     for (node, links) in incidence.iter().enumerate() {
         let [a, b] = links[..] else {
             is_vertex[node] = !links.is_empty();
@@ -24,18 +29,28 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
             is_vertex[node] = true;
             continue;
         }
-        let ends = [first, second].map(|link| link.nodes[usize::from(link.nodes[0] == node)]);
-        let turn = turn(network, ends, node);
+        let turn = turn(network, neighbours(network, node, [a, b]), node);
         // Regular polygons with exactly this turn are smooth whatever rounding does.
         if turn > angle * (1.0 + 1e-6) {
             is_vertex[node] = true;
             turns.push(turn);
         } else {
-            sharpest = sharpest.max(turn);
+            bends.push((node, turn));
             is_vertex[node] = is_joint(file, first.curve, second.curve);
         }
     }
-    sharpest = lone_corners(network, file, &mut is_vertex, (angle, sharpest), &mut turns);
+    let before = is_vertex.clone();
+    bends.retain(|&(node, turn)| {
+        let links = [incidence[node][0], incidence[node][1]];
+        let is_alone = neighbours(network, node, links).iter().all(|&end| before[end]);
+        let is_corner = !before[node] && is_alone && turn > LONE * angle && !is_side(network, file, links);
+        if is_corner {
+            is_vertex[node] = true;
+            turns.push(turn);
+        }
+        !is_corner
+    });
+    let sharpest = bends.iter().fold(0.0, |sharpest, &(_, turn)| f64::max(sharpest, turn));
     if !turns.is_empty() || sharpest > 0.5 * angle {
         let degrees = |turn: f64| format!("{:.0}°", turn.to_degrees());
         let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
@@ -53,44 +68,15 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
     is_vertex
 }
 
-/// The share of the angle of corners above which a point that stands alone between two corners is one, too: nobody samples a curve by its
-/// middle.
-const LONE: f64 = 0.25;
+/// The other ends of two links at a node.
+fn neighbours(network: &Network, node: usize, links: [usize; 2]) -> [usize; 2] {
+    links.map(|k| &network.links[k]).map(|link| link.nodes[usize::from(link.nodes[0] == node)])
+}
 
-/// Makes corners of points that stand alone between two corners; the largest turn of the points that are left.
-fn lone_corners(
-    network: &Network,
-    file: &CurveFile,
-    is_vertex: &mut [bool],
-    (angle, sharpest): (f64, f64),
-    turns: &mut Vec<f64>,
-) -> f64 {
-    let incidence = network.incidence();
-    let before = is_vertex.to_vec();
-    let mut left: f64 = 0.0;
-    for (node, links) in incidence.iter().enumerate() {
-        let [a, b] = links[..] else { continue };
-        if before[node] || a == b {
-            continue;
-        }
-        let [first, second] = [a, b].map(|k| &network.links[k]);
-        let ends = [first, second].map(|link| link.nodes[usize::from(link.nodes[0] == node)]);
-        let turn = turn(network, ends, node);
-        // A curve of the file that is no more than these is a side.
-        let is_side = first.curve == second.curve && file.curves[first.curve].shape.sampled().len() == 3;
-        if !is_side
-            && first.is_segment
-            && second.is_segment
-            && ends.iter().all(|&end| before[end])
-            && turn > LONE * angle
-        {
-            is_vertex[node] = true;
-            turns.push(turn);
-        } else {
-            left = left.max(turn);
-        }
-    }
-    sharpest.min(left)
+/// Whether two segments are a curve of the file and no more of it.
+fn is_side(network: &Network, file: &CurveFile, links: [usize; 2]) -> bool {
+    let [first, second] = links.map(|k| network.links[k].curve);
+    first == second && file.curves[first].shape.sampled().len() == 3
 }
 
 /// By how much segments turn at a node between two others.

@@ -120,3 +120,27 @@ fn bits(numbers: &[f64]) -> Vec<u64> {
 fn numbers(bits: &[u64]) -> Vec<f64> {
     bits.iter().copied().map(f64::from_bits).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_comes_back_whatever_the_number_of_its_parameters() {
+        for parameters in [1, 2, 4, 7] {
+            let polished = Polished {
+                value: 1.5,
+                point: vec![0.25; parameters],
+                gradient: vec![-0.0; parameters],
+                residual: 1e-9,
+                active: vec![Bound::Free; parameters],
+                evaluations: 12,
+                iterations: 3,
+                reason: PolishReason::ALL[0],
+            };
+            let record = PolishRecord::new(&polished);
+            assert_eq!(record.polished(parameters), Some(polished));
+            assert!(record.polished(parameters + 1).is_none());
+        }
+    }
+}
