@@ -31,7 +31,7 @@ pub(crate) use interval::Interval;
 pub(crate) use key::{Entry, Key, Section, Ways, sentence};
 pub(crate) use kind::{Flag, Kind, Text};
 pub(crate) use name::{List, Name, Names};
-pub(crate) use number::{counted, half_unit_of_last_digit, shown, shown_point};
+pub(crate) use number::{half_unit_of_last_digit, shown, shown_point};
 pub(crate) use place::Place;
 pub(crate) use points::{PointList, Points};
 pub(crate) use reals::Reals;

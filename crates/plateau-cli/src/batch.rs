@@ -4,7 +4,7 @@ use std::io::Write;
 use std::time::Duration;
 
 use experiment::{Finished, Options, Plan, Source, run_kept};
-use plateau::Progress;
+use plateau::{Progress, counted};
 use record::{Checkpoint, Manifest, deliver_watched, earlier, folder, prepare};
 use show::table;
 use sweep::Shard;
@@ -109,7 +109,7 @@ fn experiment(
         }
     };
     if let refused @ 1.. = checkpoint.refused() {
-        let runs = counted(refused);
+        let runs = counted(refused, "finished search run");
         say(&format!(
             "warning: {}: not what the search finds, so run again: {runs}",
             checkpoint.path().display()
@@ -206,9 +206,12 @@ fn repeat(
 fn take(plan: &Plan, checkpoint: &Checkpoint) {
     match checkpoint.load() {
         Ok(0) => {}
-        Ok(runs) => {
-            say(&format!("{}: {} taken from {}", plan.file, counted(runs), checkpoint.path().display()))
-        }
+        Ok(runs) => say(&format!(
+            "{}: {} taken from {}",
+            plan.file,
+            counted(runs, "finished search run"),
+            checkpoint.path().display()
+        )),
         Err(error) => say(&format!("warning: {} is ignored: {error}", checkpoint.path().display())),
     }
 }
@@ -218,13 +221,11 @@ fn kept(plan: &Plan, checkpoint: &Checkpoint) -> String {
     let runs = checkpoint.runs();
     match checkpoint.flush() {
         _ if runs == 0 => String::new(),
-        Ok(()) => format!(", {} of {} kept", counted(runs), plan.file),
-        Err(error) => format!(", {} of {} could not be kept: {error}", counted(runs), plan.file),
+        Ok(()) => format!(", {} of {} kept", counted(runs, "finished search run"), plan.file),
+        Err(error) => {
+            format!(", {} of {} could not be kept: {error}", counted(runs, "finished search run"), plan.file)
+        }
     }
-}
-
-fn counted(runs: usize) -> String {
-    if runs == 1 { "1 finished search run".into() } else { format!("{runs} finished search runs") }
 }
 
 /// Removes the checkpoint of an experiment that is done.

@@ -5,9 +5,8 @@ use std::path::{Path, PathBuf};
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, Shape, Side, read_curves};
 use experiment::{ImportError, ImportOptions, Options, Plan};
-use plateau::{AreaEnd, Fill, Film, MethodError, Warning, Way};
+use plateau::{AreaEnd, Fill, Film, MethodError, Notation, Warning, Way, counted};
 use record::{Destination, ExportError, ResultFile};
-use show::Form;
 
 use crate::command::FillArguments;
 use crate::conversion::contents;
@@ -191,7 +190,7 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
     let area = film.figures.area;
     row("area", format!("{} ± {:.1e}", digits(area.value), area.error))?;
     if let Some(estimate) = film.estimate {
-        row("least area", format!("about {} less (estimated)", Form::Order.of(estimate)))?;
+        row("least area", format!("about {} less (estimated)", Notation::Order.of(estimate)))?;
     } else if film.extremal.is_some_and(|found| found.end == AreaEnd::Stationary && found.area.settled)
         && !film.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)))
     {
@@ -212,7 +211,7 @@ fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<
     };
     row("faces", format!("{faces} of degree {degree}: {}{layers}", way(film.way)))?;
     if let Some(kink) = film.seams.kink {
-        let degrees = |angle: f64| Form::Significant(2).of(angle.to_degrees());
+        let degrees = |angle: f64| Notation::Significant(2).of(angle.to_degrees());
         row("kink", format!("at most {}°, root mean square {}°", degrees(kink.max), degrees(kink.rms)))?;
     }
     row("Jacobian ratio", format!("{:.2}", film.seams.jacobian_ratio))?;
@@ -259,11 +258,7 @@ fn way(way: Way) -> &'static str {
 
 /// Twelve significant digits.
 fn digits(x: f64) -> String {
-    Form::Significant(12).of(x)
-}
-
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
+    Notation::Significant(12).of(x)
 }
 
 fn names(files: &[PathBuf]) -> String {

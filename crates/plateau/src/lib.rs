@@ -36,6 +36,7 @@
 //! |---|---|
 //! | boundaries | [`Boundary`]: [`TensorBoundary`], [`OppositeSides`] in a [`Direction`], [`TriangleBoundary`]; [`Corner`], [`Gap`], [`BoundaryError`], [`Degeneracy`]; [`MAX_DEGREE`], [`MAX_COORDINATE`], [`MIN_SIZE`] |
 //! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`]; [`Energy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
+//! | numbers for people | [`Notation`], [`counted()`] |
 //! | running one | [`Context`], [`Arithmetic`], [`MethodError`] |
 //! | searches | [`Search`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
 //! | results | [`Results`], [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
@@ -80,6 +81,7 @@ mod lower_bound;
 mod memory;
 mod method;
 mod nearest_curve;
+mod number;
 mod outcome;
 mod own_net;
 mod progress;
@@ -132,6 +134,7 @@ pub use method::{
     TensorInterior, TriangleInterior,
 };
 pub use nearest_curve::{NearestCurve, NearestCurveError};
+pub use number::{Notation, counted};
 pub use outcome::{MethodResult, Results};
 pub use own_net::{NetBasis, OrderSix, OwnNet, of_net};
 pub use progress::Progress;

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::{AreaEnd, Degeneracy, NoBound, NoEstimate};
+use crate::{AreaEnd, Degeneracy, NoBound, NoEstimate, Notation};
 
 /// What a reader must know before trusting a surface or its figures; shown as one sentence.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -47,7 +47,7 @@ pub enum Warning {
         share: f64,
     },
     /// The best shape of a search lies on the boundary of its box.
-    #[error("the search box binds: {} at {}; a wider box may hold a lower minimum", parameters.join(", "), digits(*bound))]
+    #[error("the search box binds: {} at {}; a wider box may hold a lower minimum", parameters.join(", "), Notation::Exact.of(*bound))]
     BoxBinds {
         /// The parameters there.
         parameters: Vec<&'static str>,
@@ -169,7 +169,7 @@ pub enum Warning {
     #[error(
         "the area has not settled: {} ± {error:.1e} after {points}² quadrature points; the patch folds or is singular \
          somewhere",
-        digits(*area)
+        Notation::Exact.of(*area)
     )]
     AreaUnsettled {
         /// The area.
@@ -241,7 +241,7 @@ pub enum Warning {
     #[error(
         "the span lies within {} % of the bound {bound:.6} of the {basis} basis, where curves lose digits and control points \
          grow: cut the curve into two",
-        percent(100.0 * (1.0 - span / bound))
+        Notation::Share.of(100.0 * (1.0 - span / bound))
     )]
     CurveNearBound {
         /// Length of the interval.
@@ -252,7 +252,7 @@ pub enum Warning {
         basis: &'static str,
     },
     /// The quadrature of a length did not converge.
-    #[error("the length has not settled: {} ± {error:.1e}; the curve may have a cusp", digits(*length))]
+    #[error("the length has not settled: {} ± {error:.1e}; the curve may have a cusp", Notation::Exact.of(*length))]
     LengthUnsettled {
         /// The length.
         length: f64,
@@ -281,7 +281,7 @@ pub enum Warning {
     /// Two loops that no annulus of least area joins.
     #[error(
         "no annulus of least area: it pinches, thinnest at ({}, {}, {}) with {length:.3e} around",
-        short(at[0]), short(at[1]), short(at[2])
+        Notation::Short(4).of(at[0]), Notation::Short(4).of(at[1]), Notation::Short(4).of(at[2])
     )]
     Pinches {
         /// Length of the shortest line around it.
@@ -290,7 +290,7 @@ pub enum Warning {
         at: [f64; 3],
     },
     /// Two loops that are spanned with less area one by one.
-    #[error("the two loops, each spanned by itself, have less area together: {} instead of {}", digits(*discs), digits(*area))]
+    #[error("the two loops, each spanned by itself, have less area together: {} instead of {}", Notation::Exact.of(*discs), Notation::Exact.of(*area))]
     OneByOne {
         /// The area of both.
         discs: f64,
@@ -363,27 +363,13 @@ fn best_values(runs: usize, spread: f64) -> String {
     }
 }
 
-/// A number with all its digits, in the form that is shorter.
-fn digits(x: f64) -> String {
-    if x == 0.0 || (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
-}
-
 /// What folds across an edge.
 fn across(kink: f64) -> String {
     let degrees = kink.to_degrees();
     if degrees > 90.0 { format!(", and by {degrees:.0}° across an edge") } else { String::new() }
 }
 
-/// A coordinate to four digits.
-fn short(x: f64) -> String {
-    format!("{x:.3e}").parse().map_or_else(|_| x.to_string(), |x: f64| digits(x))
-}
-
 fn first_five(numbers: &[f64]) -> String {
-    let shown = numbers.iter().take(5).copied().map(digits).collect::<Vec<_>>().join(", ");
+    let shown = numbers.iter().take(5).map(|&x| Notation::Exact.of(x)).collect::<Vec<_>>().join(", ");
     if numbers.len() > 5 { format!("{shown} and {} more", numbers.len() - 5) } else { shown }
-}
-
-fn percent(share: f64) -> String {
-    if share < 0.01 { format!("{share:.0e}") } else { format!("{share:.2}") }
 }

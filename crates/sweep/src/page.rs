@@ -2,9 +2,9 @@
 
 use std::path::{Component, Path};
 
-use plateau::Quantity;
+use plateau::{Notation, Quantity};
 use record::{REPORT_FILE, RESULT_FILE, folder_of};
-use show::{Form, Multiples, Panel, Study, StudyRow, multiples, study_page};
+use show::{Multiples, Panel, Study, StudyRow, multiples, study_page};
 
 use crate::figures::{columns, failure, name, value};
 use crate::merged::{Kept, Merged};
@@ -139,9 +139,9 @@ fn table(merged: &Merged, seen_from: &Path) -> (Vec<String>, Vec<StudyRow>) {
         let labels = (0..outline.axes.len()).map(|axis| outline.value(cell, axis).label.clone());
         let shown = figures.iter().map(|figure| match (value(method, figure), failure(method)) {
             (Some(value), _) if figure.ends_with("_error") || figure.ends_with("_estimate") => {
-                Form::Order.of(value)
+                Notation::Order.of(value)
             }
-            (Some(value), _) => Form::Digits(10).of(value),
+            (Some(value), _) => Notation::Digits(10).of(value),
             (None, Some(_)) if figure == key => "failed".to_owned(),
             (None, _) => String::new(),
         });

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use show::{Form, Printable, width_of_names};
+use plateau::Notation;
+use show::{Printable, width_of_names};
 
 use crate::figures::{failure, name, value};
 use crate::merged::Merged;
@@ -69,7 +70,7 @@ fn columns(merged: &Merged) -> Vec<Column> {
     let mut figures = vec![key];
     figures.extend(BESIDE.into_iter().filter(|figure| *figure != key));
     for figure in figures {
-        let form = if figure == key || figure == "area" { Form::Decimals(9) } else { Form::Order };
+        let form = if figure == key || figure == "area" { Notation::Decimals(9) } else { Notation::Order };
         let cell = |method| match (value(method, figure), failure(method)) {
             (Some(value), _) => form.of(value),
             (None, Some(_)) if figure == key => "failed".to_owned(),

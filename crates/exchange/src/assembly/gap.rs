@@ -1,5 +1,6 @@
 //! Ends that meet nothing, in words.
 
+use plateau::Notation;
 use surfaces::Point;
 
 use super::network::Network;
@@ -45,7 +46,7 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
     let named: Vec<String> = pairs
         .iter()
         .take(NAMED)
-        .map(|&(gap, a, b)| format!("{}, {}, a gap of {}", whose(a), whose(b), length(gap)))
+        .map(|&(gap, a, b)| format!("{}, {}, a gap of {}", whose(a), whose(b), Notation::Short(4).of(gap)))
         .collect();
     text += &named.join("; ");
     if pairs.len() > NAMED {
@@ -69,31 +70,14 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
     Err(AssemblyError::Gap(text))
 }
 
-/// A distance in four digits.
-fn length(gap: f64) -> String {
-    if (1e-2..1e6).contains(&gap) { format!("{gap:.4}") } else { format!("{gap:.3e}") }
-}
-
 /// A point in few digits.
 fn shown(p: Point) -> String {
-    let [x, y, z] = [p.x, p.y, p.z].map(|x| {
-        let text = format!("{x:.6}");
-        if x != 0.0 && (x.abs() < 1e-3 || x.abs() >= 1e9) {
-            format!("{x:.4e}")
-        } else {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        }
-    });
+    let [x, y, z] = [p.x, p.y, p.z].map(|x| Notation::Short(6).of(x));
     format!("({x}, {y}, {z})")
 }
 
 /// Two digits, not below x.
 fn rounded_up(x: f64) -> String {
     let unit = libm::pow(10.0, libm::floor(libm::log10(x)) - 1.0);
-    let up = libm::ceil(x / unit * (1.0 + 1e-12)) * unit;
-    if (1e-3..1e6).contains(&up) {
-        format!("{up:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        format!("{up:.1e}")
-    }
+    Notation::Short(2).of(libm::ceil(x / unit * (1.0 + 1e-12)) * unit)
 }

@@ -4,6 +4,7 @@
 //! meet there, the parts between such lines are shells of one model, which share the edges of the lines: every reader takes
 //! shells, few take faces that meet in threes within one. Faces that cannot be given one side are a shell each.
 
+use plateau::counted;
 use std::io::{self, Write};
 
 use surfaces::{Complex, Knots, Orientation, Point};
@@ -162,8 +163,4 @@ fn shells(complex: &Complex, orientation: &Orientation) -> Vec<Vec<usize>> {
         }
     }
     shells
-}
-
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }

@@ -3,14 +3,14 @@
 use std::ops::{Range, RangeInclusive};
 
 use bases::{Aht, At};
-use plateau::{Curve, CurveBasis, CurveFunction, MAX_DEGREE};
+use plateau::{Curve, CurveBasis, CurveFunction, MAX_DEGREE, counted};
 use serde_spanned::Spanned;
 
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
 use super::shape::shape_of_curve;
 use crate::keys::curve::{BASIS, ENDS, FUNCTION, Family, POINTS, Pair, SAMPLES, SHAPE, SPAN, Sampling};
-use crate::text::{Entry, Given, Interval, PointList, Table, counted, shown};
+use crate::text::{Entry, Given, Interval, PointList, Table, shown};
 
 /// Checks `[curve]`.
 pub(super) fn curve(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(Vec<Curve>, Wanted)> {

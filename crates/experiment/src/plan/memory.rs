@@ -1,10 +1,10 @@
 //! What an experiment keeps until it ends: meshes, patches, histories of searches. Each is bounded by itself; here, together.
 
-use plateau::{Helicoid, Method, SearchMode};
+use plateau::{Helicoid, Method, SearchMode, counted};
 
 use super::{Experiment, PatchExperiment};
 use crate::keys::output::LARGEST_MESH;
-use crate::text::{Table, counted};
+use crate::text::Table;
 
 /// Most vertices in the meshes of all frames of a deformation.
 const MOST_VERTICES_OF_FRAMES: usize = (LARGEST_MESH + 1).pow(2);

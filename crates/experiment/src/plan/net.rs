@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use bases::{Aht, At};
-use plateau::{MIN_SIZE, NetBasis, OrderSix, OwnNet, ShapedFamily};
+use plateau::{MIN_SIZE, NetBasis, OrderSix, OwnNet, ShapedFamily, counted};
 use serde_spanned::Spanned;
 use surfaces::{Net, Point};
 
@@ -13,7 +13,7 @@ use super::shape::fixed_shape;
 use crate::keys::curve::Family;
 use crate::keys::helicoid::SHORTEST;
 use crate::keys::net::{BASIS, BOUNDS, POINTS, SHAPE, U_CUTS, U_SPAN, V_CUTS, V_SPAN};
-use crate::text::{Entry, Given, Interval, Key, PointList, Reals, Table, counted, shown};
+use crate::text::{Entry, Given, Interval, Key, PointList, Reals, Table, shown};
 
 type Rows = Spanned<Vec<Spanned<PointList>>>;
 

@@ -13,7 +13,8 @@ use crate::keys::sweep::axis::{
     BOUNDARIES, BY, COUNT, FROM, KEY, LABELS, NAME, SCALE, SPACING, TO, VALUES, WITH,
 };
 use crate::keys::sweep::{Stretch, Written};
-use crate::text::{Faults, Given, Table, counted, shown};
+use crate::text::{Faults, Given, Table, shown};
+use plateau::counted;
 
 /// Most characters of the name of an axis, and of a label.
 const LONGEST: usize = 32;

@@ -7,7 +7,8 @@ use serde_spanned::Spanned;
 
 use super::segment::segments;
 use crate::plan::text_of;
-use crate::text::{Faults, counted};
+use crate::text::Faults;
+use plateau::counted;
 
 /// Most files of a folder, and most bytes of all of them.
 const MOST_FILES: usize = 10_000;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use plateau::Quantity;
+use plateau::{Quantity, counted};
 use serde_spanned::Spanned;
 
 use super::axis::{Action, Axis, axis};
@@ -12,7 +12,7 @@ use super::segment::segments;
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::sweep::{AXIS, FIGURE, GAP, MOST_AXES, MOST_CELLS};
 use crate::keys::{EXPERIMENT, SWEEP};
-use crate::text::{Faults, Table, counted, parse};
+use crate::text::{Faults, Table, parse};
 
 /// Most bytes in the names of folders: file systems take 255.
 const LONGEST_NAME: usize = 200;

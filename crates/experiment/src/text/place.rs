@@ -6,9 +6,10 @@ use super::faults::Faults;
 use super::form::Form;
 use super::head::Head;
 use super::interval::Interval;
-use super::number::{counted, shown};
+use super::number::shown;
 use super::value::{self, TooLarge, Value};
 use crate::diagnostic::{Diagnostic, Fault, nearest, shorten};
+use plateau::counted;
 
 /// The key that is being read.
 pub(crate) struct Place<'p> {

@@ -10,9 +10,10 @@ use super::form::Form;
 use super::head::Head;
 use super::interval::Interval;
 use super::kind::{Kind, MOST_OF_A_LIST};
-use super::number::{counted, shown};
+use super::number::shown;
 use super::place::Place;
 use super::value::Value;
+use plateau::counted;
 
 /// Between two numbers of points, with coordinates up to a size.
 #[derive(Clone, Copy, Debug)]

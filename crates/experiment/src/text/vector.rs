@@ -5,9 +5,9 @@ use serde_json::{Map, Value as Json, json};
 use super::form::{Form, keywords};
 use super::interval::Interval;
 use super::kind::Kind;
-use super::number::counted;
 use super::place::Place;
 use super::value::Value;
+use plateau::counted;
 
 /// Three numbers up to a size.
 #[derive(Clone, Copy, Debug)]

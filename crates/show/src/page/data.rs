@@ -4,10 +4,9 @@ use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::{Value, json};
 
 use crate::colour;
-use crate::number::{Form, number};
 use crate::scene::{Chart, Field, LARGEST_NET, Line, LineKind, Scene, Shown};
 use crate::table::standing::{Standing, standings};
-use plateau::Done;
+use plateau::{Done, Notation};
 use surfaces::Domain;
 
 /// Nets of a higher degree hide their surface and are shown when asked for.
@@ -83,9 +82,9 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
         .collect();
     let net = &shown.net;
     let figures = &shown.done.figures;
-    let mut caption = format!("area {} length²", Form::Digits(9).of(figures.area.value));
+    let mut caption = format!("area {} length²", Notation::Digits(9).of(figures.area.value));
     if let Some(largest) = figures.mean_curvature_max {
-        caption += &format!(", max |H| {} 1/length", number(largest));
+        caption += &format!(", max |H| {} 1/length", Notation::Digits(4).of(largest));
     }
     json!({
         "name": shown.name,

@@ -2,14 +2,13 @@
 
 use std::fmt::Write;
 
-use crate::number::Form;
 use crate::picture::Escaped;
 use crate::table::Column;
 use crate::table::cells::{Cells, cells};
 use crate::table::curve_table::{samples, summary};
 use crate::table::figure::Place;
 use crate::table::standing::Standing;
-use plateau::{CurveResult, Quantity, Results};
+use plateau::{CurveResult, Notation, Quantity, Results};
 
 /// Most rows of a table.
 const ROWS: usize = 200;
@@ -127,7 +126,7 @@ pub(super) fn comparisons(comparisons: &[Comparison<'_>]) -> String {
             Escaped(c.name),
             c.quantity,
             Escaped(c.text),
-            c.ours.map_or("none".into(), |x| Form::Digits(9).of(x)),
+            c.ours.map_or("none".into(), |x| Notation::Digits(9).of(x)),
             Escaped(verdict),
         );
     }

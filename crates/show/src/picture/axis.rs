@@ -1,7 +1,7 @@
 //! Axes: where ticks stand and what they say.
 
 use super::svg::{Anchor, Font, GRID, INK, Svg};
-use crate::number::{number, power_of_ten};
+use plateau::Notation;
 
 /// Most decades a logarithmic axis can span.
 const DECADES: i32 = 640;
@@ -37,7 +37,7 @@ impl Axis {
         let step = (1..DECADES).find(|step| (last - first) / step < wanted as i32).unwrap_or(DECADES);
         let ticks = (first..=last)
             .filter(|decade| decade.rem_euclid(step) == 0)
-            .map(|decade| (f64::from(decade), power_of_ten(decade)))
+            .map(|decade| (f64::from(decade), Notation::power_of_ten(decade)))
             .collect();
         Self { low: f64::from(first), high: f64::from(last), logarithmic: true, pixels, ticks }
     }
@@ -86,7 +86,7 @@ pub(super) fn ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
     let width = 0.5 * high - 0.5 * low;
     let rough = width / wanted.max(1) as f64 * 2.0;
     if !(rough.is_finite() && rough > 0.0) {
-        return vec![(low, number(low))];
+        return vec![(low, Notation::Digits(4).of(low))];
     }
     let decade = libm::floor(libm::log10(rough)) as i32;
     let unit = libm::exp10(f64::from(decade));
@@ -106,7 +106,7 @@ pub(super) fn ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
             } else if plain {
                 format!("{value:.decimals$}")
             } else {
-                number(value)
+                Notation::Digits(4).of(value)
             };
             (value, label.replace('-', "−"))
         })

@@ -3,8 +3,7 @@
 use super::Picture;
 use super::axis::{Axis, frame};
 use super::svg::{ACCENT, Anchor, FAINT, Font, Svg, path};
-use crate::number::number;
-use plateau::{Results, SearchOutcome, SearchRun};
+use plateau::{Notation, Results, SearchOutcome, SearchRun};
 
 /// Most searches in one picture.
 const SEARCHES: usize = 6;
@@ -98,7 +97,7 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     frame(svg, &iterations, &gaps, "iteration", "gap to the least value (length²)");
     draw(svg, &runs, &iterations, &gaps, most, gap);
     if least < 1e-3 * largest {
-        let note = format!("smallest gap {}", number(least));
+        let note = format!("smallest gap {}", Notation::Digits(4).of(least));
         svg.text([832.0, top + 14.0], Anchor::End, Font { colour: FAINT, ..Font::SMALL }, &note);
     }
 }

@@ -3,8 +3,7 @@
 use super::Picture;
 use super::axis::{Axis, frame};
 use super::svg::{ACCENT, Anchor, FAINT, Font, INK, LINES, Length, Svg, path};
-use crate::number::number;
-use plateau::{Curve, CurveResult, sample};
+use plateau::{Curve, CurveResult, Notation, sample};
 
 /// Parameters at which the curve is drawn, besides the samples of the file.
 const FINE: usize = 401;
@@ -52,7 +51,8 @@ pub(super) fn picture(results: &[CurveResult]) -> Option<Picture> {
         let y = LINE * k as f64;
         let font = if results.len() == 1 { Font::TITLE } else { Font { colour, ..Font::TITLE } };
         svg.text([20.0, 22.0 + y], Anchor::Start, font, &result.name);
-        let caption = format!("length {} in {} samples", number(result.length[0]), result.t.len());
+        let caption =
+            format!("length {} in {} samples", Notation::Digits(4).of(result.length[0]), result.t.len());
         let at = if results.len() == 1 { [20.0, 39.0] } else { [240.0, 22.0 + y] };
         svg.text(at, Anchor::Start, Font::SMALL, &caption);
     }
@@ -145,7 +145,7 @@ fn curvature(svg: &mut Svg, drawn: &[Drawn<'_>], signed: bool, below: f64) {
         line_of_curvature(svg, drawn_curve, (&t, &k), cut, drawn.len() == 1);
     }
     if cut < largest {
-        let note = format!("beyond the panel: up to {}", number(largest));
+        let note = format!("beyond the panel: up to {}", Notation::Digits(4).of(largest));
         svg.text([right - 4.0, top - 6.0], Anchor::End, Font::SMALL, &note);
     }
 }

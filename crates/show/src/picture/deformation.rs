@@ -3,9 +3,8 @@
 use super::svg::{Anchor, Font, Svg};
 use super::view::{CORNERS, Camera, axes, surface};
 use super::{Picture, colour_bar};
-use crate::number::number;
 use crate::scene::{Field, Scene, Shown, spread};
-use plateau::Results;
+use plateau::{Notation, Results};
 
 /// Most frames of a strip.
 const FRAMES: usize = 6;
@@ -63,5 +62,5 @@ pub(super) fn picture(scene: &Scene<'_>, frames: &[&Shown<'_>]) -> Option<Pictur
 
 /// A weight; what is only rounding is 0.
 fn short(weight: f64) -> String {
-    if weight.abs() < 1e-12 { "0".into() } else { number(weight) }
+    if weight.abs() < 1e-12 { "0".into() } else { Notation::Digits(4).of(weight) }
 }

@@ -10,8 +10,8 @@ use super::panels::arrange;
 use super::svg::{INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
-use crate::number::number;
 use crate::scene::{Chart, Field, Scene, Shown, spread};
+use plateau::Notation;
 
 /// Most maps in one picture.
 const PANELS: usize = 12;
@@ -77,8 +77,9 @@ fn map(
     let (right, bottom) = (left + SIDE, top + SIDE);
     let values = shown.sample.values(Field::Mean);
     let largest = values.iter().flatten().map(|h| h.abs()).reduce(f64::max);
-    let caption =
-        largest.map_or("singular everywhere".into(), |h| format!("max |H| = {} 1/length", number(h)));
+    let caption = largest.map_or("singular everywhere".into(), |h| {
+        format!("max |H| = {} 1/length", Notation::Digits(4).of(h))
+    });
     svg.heading([left, y], shown.name, 26, &caption);
 
     let (u, v) = match chart.domain {

@@ -2,7 +2,7 @@
 
 use super::axis::{Axis, frame};
 use super::svg::{ACCENT, Anchor, Font, Length, Svg, path};
-use crate::number::Form;
+use plateau::Notation;
 
 /// Most panels in one picture.
 const PANELS: usize = 48;
@@ -137,7 +137,7 @@ fn draw(svg: &mut Svg, what: &Multiples, panel: &Panel, [left, top]: [f64; 2]) {
         ring(svg, place(point));
     }
     if what.gap {
-        let least = format!("least {}", Form::Digits(10).of(least));
+        let least = format!("least {}", Notation::Digits(10).of(least));
         svg.text([x_pixels[1], top + 16.0], Anchor::End, Font::SMALL, &least);
     }
 }

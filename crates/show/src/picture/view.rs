@@ -1,14 +1,13 @@
 //! Surfaces as they stand in space, with their control nets: one camera and one scale for all methods.
 
-use plateau::Energy;
 use surfaces::Point;
 
 use super::panels::arrange;
 use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
-use crate::number::Form;
 use crate::scene::{Field, LARGEST_NET, LineKind, Sample, Scene, Shown, spread};
+use plateau::{Energy, Notation};
 
 /// Most views in one picture.
 const PANELS: usize = 12;
@@ -55,10 +54,10 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let camera = Camera::fitting(scene, &chosen, true, CELL);
     for (k, shown) in chosen.iter().enumerate() {
         let (x, y) = (cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64);
-        let mut caption = format!("area {} length²", Form::Digits(7).of(shown.done.figures.area.value));
+        let mut caption = format!("area {} length²", Notation::Digits(7).of(shown.done.figures.area.value));
         let times = shown.net_size();
         if times > LARGEST_NET {
-            caption += &format!("; net {}× larger", Form::Digits(2).of(times));
+            caption += &format!("; net {}× larger", Notation::Digits(2).of(times));
         }
         svg.heading([x + 16.0, y], shown.name, 34, &caption);
         let clip = format!("view-{k}");

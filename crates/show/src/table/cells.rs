@@ -3,8 +3,7 @@
 use super::column::Column;
 use super::figure::{FIGURES, Figure, Place};
 use super::standing::{Standing, standings};
-use crate::number::Form;
-use plateau::{Done, MethodResult, Results};
+use plateau::{Done, MethodResult, Notation, Results};
 
 /// A table. Every row has one cell per column, the first of which is its name.
 pub struct Cells {
@@ -119,7 +118,7 @@ impl Cells {
 
 fn weights(done: &Done) -> String {
     let weights = done.closed_form.and_then(|form| form.weights);
-    weights.map_or(String::new(), |weights| weights.map(|w| Form::Decimals(7).of(w)).join(" "))
+    weights.map_or(String::new(), |weights| weights.map(|w| Notation::Decimals(7).of(w)).join(" "))
 }
 
 fn shape(done: &Done) -> String {

@@ -2,10 +2,9 @@
 
 use super::cells::Cells;
 use super::column::Column;
-use crate::number::Form;
-use plateau::CurveResult;
+use plateau::{CurveResult, Notation};
 
-const FIGURE: Form = Form::Decimals(7);
+const FIGURE: Notation = Notation::Decimals(7);
 
 /// Length and largest curvature of curves.
 pub(crate) fn summary(curves: &[CurveResult]) -> Cells {
@@ -24,7 +23,7 @@ pub(crate) fn summary(curves: &[CurveResult]) -> Cells {
         };
         let [length, error] = curve.length;
         let (name, samples) = (curve.name.clone(), curve.t.len().to_string());
-        vec![name, samples, FIGURE.of(length), Form::Order.of(error), largest, at]
+        vec![name, samples, FIGURE.of(length), Notation::Order.of(error), largest, at]
     };
     Cells::new(columns, curves.iter().map(row).collect())
 }

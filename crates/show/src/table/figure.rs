@@ -2,8 +2,7 @@
 
 use super::column::Column;
 use super::standing::UNMOVED;
-use crate::number::Form;
-use plateau::{Done, Quantity};
+use plateau::{Done, Notation, Quantity};
 
 /// Where a figure is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +32,7 @@ pub(crate) struct Figure {
     /// The line below the heading; if empty, the unit.
     pub(crate) beneath: &'static str,
     /// How it is written.
-    pub(crate) form: Form,
+    pub(crate) form: Notation,
     /// Beside a patch of size 1 (the root of its Dirichlet energy), this much is rounding, and what is written instead.
     pub(crate) rounding: (f64, &'static str),
     /// Whether it is zero but for rounding on a surface with a closed form: then the exponent is what there is to read.
@@ -51,7 +50,7 @@ const fn plain(quantity: Quantity) -> Figure {
         shows: Shows::Value(quantity),
         heading: "",
         beneath: "",
-        form: Form::Order,
+        form: Notation::Order,
         rounding: (0.0, "0"),
         vanishes_if_exact: false,
         missing: "",
@@ -65,12 +64,12 @@ const MINIMISED: u8 = 1;
 
 /// All of them, in the order of the columns.
 pub(crate) const FIGURES: [Figure; 16] = [
-    Figure { heading: "area A", form: Form::Decimals(7), ..plain(Quantity::Area) },
+    Figure { heading: "area A", form: Notation::Decimals(7), ..plain(Quantity::Area) },
     Figure { shows: Shows::AreaError, heading: "± of A", rank: 3, ..plain(Quantity::Area) },
-    Figure { heading: "Dirichlet D", form: Form::Decimals(7), rank: 4, ..plain(Quantity::Dirichlet) },
+    Figure { heading: "Dirichlet D", form: Notation::Decimals(7), rank: 4, ..plain(Quantity::Dirichlet) },
     Figure {
         heading: "∫‖ΔS‖²",
-        form: Form::Decimals(7),
+        form: Notation::Decimals(7),
         place: Place::Page,
         vanishes_if_exact: true,
         rank: 9,
@@ -78,7 +77,7 @@ pub(crate) const FIGURES: [Figure; 16] = [
     },
     Figure {
         heading: "bending",
-        form: Form::Decimals(7),
+        form: Notation::Decimals(7),
         vanishes_if_exact: true,
         place: Place::Minimised,
         rank: 9,
@@ -86,17 +85,17 @@ pub(crate) const FIGURES: [Figure; 16] = [
     },
     Figure {
         heading: "∫‖S_uv‖²",
-        form: Form::Decimals(7),
+        form: Notation::Decimals(7),
         vanishes_if_exact: true,
         rank: 9,
         ..plain(Quantity::CoonsFunctional)
     },
-    Figure { heading: "D^g", form: Form::Decimals(7), rank: 5, ..plain(Quantity::MetricDirichlet) },
+    Figure { heading: "D^g", form: Notation::Decimals(7), rank: 5, ..plain(Quantity::MetricDirichlet) },
     Figure { heading: "deviation", ..plain(Quantity::Deviation) },
     Figure {
         heading: "boundary",
         beneath: "moved by",
-        form: Form::Decimals(4),
+        form: Notation::Decimals(4),
         rounding: (UNMOVED, "0"),
         rank: 5,
         ..plain(Quantity::BoundaryDeviation)
@@ -106,20 +105,20 @@ pub(crate) const FIGURES: [Figure; 16] = [
     Figure {
         heading: "each loop",
         beneath: "by itself",
-        form: Form::Decimals(7),
+        form: Notation::Decimals(7),
         rank: 6,
         ..plain(Quantity::SpannedOneByOne)
     },
     Figure {
         heading: "(D−A)/A",
-        form: Form::Percent(4),
+        form: Notation::Percent(4),
         vanishes_if_exact: true,
         rank: 7,
         ..plain(Quantity::ConformalityGap)
     },
     Figure {
         heading: "max |H|",
-        form: Form::Decimals(5),
+        form: Notation::Decimals(5),
         rounding: (1e-6, "0.00000"),
         missing: "singular",
         vanishes_if_exact: true,
@@ -128,14 +127,14 @@ pub(crate) const FIGURES: [Figure; 16] = [
     },
     Figure {
         heading: "rms H",
-        form: Form::Decimals(5),
+        form: Notation::Decimals(5),
         rounding: (1e-6, "0.00000"),
         place: Place::Page,
         vanishes_if_exact: true,
         rank: 9,
         ..plain(Quantity::MeanCurvatureRms)
     },
-    Figure { heading: "bound of D", form: Form::Decimals(7), rank: 9, ..plain(Quantity::HarmonicBound) },
+    Figure { heading: "bound of D", form: Notation::Decimals(7), rank: 9, ..plain(Quantity::HarmonicBound) },
 ];
 
 impl Shows {
@@ -188,7 +187,7 @@ impl Figure {
         let Some(value) = self.shows.of(done) else { return self.missing.into() };
         let unit = done.figures.dirichlet.value.sqrt().powi(self.shows.power());
         if is_exact && self.vanishes_if_exact && value.abs() < 1e-6 * unit {
-            return Form::Order.of(value);
+            return Notation::Order.of(value);
         }
         let (rounding, nothing) = self.rounding;
         if rounding > 0.0 && value.abs() <= rounding * unit { nothing.into() } else { self.form.of(value) }

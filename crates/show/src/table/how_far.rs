@@ -1,8 +1,7 @@
 //! How far surfaces may lie above the least area of their boundary, in words.
 
-use crate::number::decade;
-use crate::{Form, Printable};
-use plateau::{Done, Energy, Results};
+use crate::Printable;
+use plateau::{Done, Energy, Notation, Results};
 
 /// What is known of the least area over the rim of a surface of least area; none if nothing is.
 pub(crate) fn how_far(done: &Done) -> Option<String> {
@@ -14,7 +13,7 @@ pub(crate) fn how_far(done: &Done) -> Option<String> {
     let difference = bound.map_or(f64::INFINITY, |bound| area - bound.value);
     let mut text = format!("least ≤ {}", digits(area, difference.min(done.estimate.unwrap_or(difference))));
     if let Some(estimate) = done.estimate {
-        text += &format!(", about {} less (estimated)", Form::Estimate.of(estimate));
+        text += &format!(", about {} less (estimated)", Notation::Estimate.of(estimate));
     }
     if let Some(bound) = bound {
         text += &format!(", ≥ {} (proved of {})", digits(bound.value, difference), bound.competitors.name());
@@ -27,7 +26,7 @@ pub(crate) fn losses(results: &Results) -> Option<String> {
     let of = |method: &plateau::MethodResult| {
         let done = method.outcome.as_ref().ok()?;
         let estimate = done.estimate.filter(|_| done.solved.minimised != Some(Energy::Area))?;
-        Some(format!("{}: {}", Printable(&method.name).cut(Printable::NAME), Form::Estimate.of(estimate)))
+        Some(format!("{}: {}", Printable(&method.name).cut(Printable::NAME), Notation::Estimate.of(estimate)))
     };
     let all: Vec<String> = results.methods.iter().filter_map(of).collect();
     (!all.is_empty()).then(|| format!("above the least area of the boundary (estimated): {}", all.join("; ")))
@@ -35,7 +34,7 @@ pub(crate) fn losses(results: &Results) -> Option<String> {
 
 /// A figure with two digits of `difference`, and as many decimals as the table has at least.
 fn digits(figure: f64, difference: f64) -> String {
-    let [first, last] = [figure, difference].map(|x| decade(x.abs().max(f64::MIN_POSITIVE)));
+    let [first, last] = [figure, difference].map(|x| Notation::decade(x.abs().max(f64::MIN_POSITIVE)));
     let least = if (-4..9).contains(&first) { 8 + first } else { 8 };
-    Form::Significant((first - last + 2).clamp(least, 16) as usize).of(figure)
+    Notation::Significant((first - last + 2).clamp(least, 16) as usize).of(figure)
 }

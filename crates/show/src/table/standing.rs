@@ -1,7 +1,6 @@
 //! Which of several surfaces over the same boundary has the least area, and how far the others lie above it.
 
-use crate::number::Form;
-use plateau::Done;
+use plateau::{Done, Notation};
 
 /// How a surface stands among those over the same boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +20,7 @@ impl Standing {
     pub(crate) fn in_words(self) -> String {
         match self {
             Self::Best => "least".into(),
-            Self::Above(share) => format!("+{}", Form::Percent(3).of(share)),
+            Self::Above(share) => format!("+{}", Notation::Percent(3).of(share)),
             Self::Apart => "moved".into(),
             Self::Alone => String::new(),
         }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use plateau::{Family, Functional, Quantity};
+use plateau::{Family, Functional, Quantity, counted};
 use serde_spanned::Spanned;
 
 use super::{Expected, Published, Wanted};
@@ -10,7 +10,7 @@ use crate::diagnostic::position;
 use crate::keys::expect::{self, Expectation, HEADING, PRINTED, QUANTITY, REASON, SOURCE};
 use crate::keys::method::{EXPECT, PUBLISHED};
 use crate::plan::interior::Interior;
-use crate::text::{Faults, Given, Table, Tables, counted, half_unit_of_last_digit};
+use crate::text::{Faults, Given, Table, Tables, half_unit_of_last_digit};
 
 /// What the expected numbers are about: it decides which of them exist.
 #[derive(Clone, Copy, Debug)]
