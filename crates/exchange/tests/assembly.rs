@@ -107,7 +107,7 @@ fn gaps_are_welded_or_named() {
         (assembly.weld.largest - 1e-5).abs() < 1e-9 && assembly.notes[0].contains("1 end of curves welded")
     );
     let error = assembled("g.csv", &text(0.02), &AssemblyOptions::default()).unwrap_err().to_string();
-    for word in ["a ends at (1, 0, 0)", "b begins at (1.02, 0, 0)", "a gap of 0.0200", "--weld 0.021"] {
+    for word in ["a ends at (1, 0, 0)", "b begins at (1.02, 0, 0)", "a gap of 0.02. Ends", "--weld 0.021"] {
         assert!(error.contains(word), "{error}\ninstead of {word}");
     }
     let wide = AssemblyOptions { weld: Some(0.021), ..AssemblyOptions::default() };

@@ -1,6 +1,7 @@
 //! Boundaries from files: curves in, a ready experiment out.
 
 use exchange::{Assembly, AssemblyError, read_curves};
+use plateau::Fill;
 
 use crate::Plan;
 
@@ -47,12 +48,16 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
     let notes: Vec<&str> = notes.into_iter().chain(assembly.notes.iter().map(String::as_str)).collect();
     match Sides::of_assembly(&assembly, options)? {
         Some(sides) => checked(sides.printed(&title, &notes)),
-        None => checked(printed::assembly(&title, &assembly, options, &notes)),
+        None => {
+            let fill =
+                options.degree.map_or_else(Fill::default, |degree| Fill::default().with_degree(degree));
+            checked(printed::assembly(&title, &assembly, options, &fill, &notes))
+        }
     }
 }
 
 /// The experiment over a boundary that is assembled: loops or faces over curves, sampled ones to be met within the tolerance.
-/// `name` is that of the file or `-`.
+/// Its method is what `fill` does, but for the curves and the mesh. `name` is that of the file or `-`.
 ///
 /// # Errors
 /// [`ImportError`].
@@ -60,10 +65,11 @@ pub fn import_assembly(
     assembly: &Assembly,
     name: &str,
     options: &ImportOptions,
+    fill: &Fill,
     notes: &[&str],
 ) -> Result<String, ImportError> {
     options.check()?;
-    checked(printed::assembly(&title(name), assembly, options, notes))
+    checked(printed::assembly(&title(name), assembly, options, fill, notes))
 }
 
 /// What a file is called without its folder and ending.

@@ -32,7 +32,7 @@
 //! |---|---|
 //! | plans | [`Plan`], [`Experiment`]: [`PatchExperiment`], [`FilmExperiment`] with [`FilmMethod`]s over a [`Rim`]; [`Output`], [`stem()`] |
 //! | what a file wants of its figures | [`Wanted`], [`Expected`], [`Published`], [`Missed`] |
-//! | running | [`run()`], [`run_kept()`], [`Options`], [`Finished`] |
+//! | running | [`run()`], [`run_kept()`], [`Options`], [`Finished`], [`shortfall()`] |
 //! | sweeps | [`Sweep`]: [`Axis`], its [`Source`]; [`Cell`], its [`Setting`]s |
 //! | refusals | [`Refusal`], [`Diagnostic`], [`Fault`]; [`MAX_FILE_SIZE`], [`MAX_KEYS`], [`MAX_TOKENS`] |
 //! | files of other programs as experiments | [`import()`], [`import_assembly()`], [`ImportOptions`], [`ImportError`], [`CornerGap`], [`MAX_IMPORT_SIZE`] |
@@ -59,7 +59,7 @@ pub use plan::{
     Expected, Experiment, FilmExperiment, FilmMethod, Output, PatchExperiment, Plan, Published, Rim, Wanted,
     stem,
 };
-pub use run::{Finished, Missed, Options, run, run_kept};
+pub use run::{Finished, Missed, Options, run, run_kept, shortfall};
 pub use schema::experiment_schema;
 pub use sweep::{Axis, Cell, Setting, Source, Sweep};
 pub use template::Template;

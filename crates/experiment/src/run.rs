@@ -2,7 +2,7 @@
 
 use plateau::{
     Arithmetic, Context, Degeneracy, Done, Energy, Fill, Helicoid, Keeper, MethodError, MethodResult,
-    Progress, Quantity, Results, Solved, degeneracies, helicoids, of_net, sample, solve, trapezium,
+    Progress, Quantity, Results, Solved, counted, degeneracies, helicoids, of_net, sample, solve, trapezium,
 };
 
 use crate::advice::advised;
@@ -166,6 +166,13 @@ fn without_mesh(output: &Output) -> Option<String> {
     (!names.is_empty()).then(|| format!("a curve has no mesh: nothing is written as {}", names.join(", ")))
 }
 
+/// That expected numbers were missed or methods failed, in words; none if none were.
+pub fn shortfall(missed: usize, failed: usize) -> Option<String> {
+    let told =
+        || format!("{} missed, {} failed", counted(missed, "expected number"), counted(failed, "method"));
+    (missed + failed > 0).then(told)
+}
+
 impl Finished {
     /// The expected numbers that were not met; a method that failed meets none.
     pub fn missed(&self) -> Vec<Missed> {
@@ -173,6 +180,11 @@ impl Finished {
             .filter(|(_, expected, ours)| !ours.is_some_and(|ours| expected.is_met_by(ours)))
             .map(|(name, expected, ours)| Missed { method: name.into(), expected: expected.clone(), ours })
             .collect()
+    }
+
+    /// What is not as the file wants it, in words; none if all is.
+    pub fn shortfall(&self) -> Option<String> {
+        shortfall(self.missed().len(), self.results.failures().count())
     }
 
     /// How many numbers the file expects.

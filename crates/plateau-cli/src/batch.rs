@@ -3,9 +3,8 @@
 use std::io::Write;
 use std::time::Duration;
 
-use experiment::{Finished, Options, Plan, Source, run_kept};
-use plateau::{Progress, counted};
-use record::{Checkpoint, Manifest, deliver_watched, earlier, folder, prepare};
+use experiment::{Finished, Options, Plan, Source};
+use record::{Earlier, Keeping, Kept, Listener, Loss, Remark, folder, run_and_keep};
 use show::table;
 use sweep::Shard;
 
@@ -79,83 +78,25 @@ fn experiment(
     bars: &Bars,
     stdout: &mut impl Write,
 ) -> Result<Outcome, Failure> {
-    let (out, folder) = (&arguments.out, folder(plan, &arguments.out));
-    let _claim = match prepare(plan, out) {
-        Ok(claim) => claim,
-        Err(error) => {
-            say(&format!(
-                "error: {}: not run, for its result could not be written: {error}; --out names another folder",
-                plan.file
-            ));
-            return Ok(Outcome::Unsound);
-        }
-    };
     let interval = Duration::from_secs_f64(arguments.checkpoint_every);
-    let checkpoint = Checkpoint::new(&folder, Manifest::new(plan, options), interval);
-    if arguments.resume {
-        if let Some(earlier) = earlier(plan, options, out) {
-            forget(&checkpoint);
-            return repeat(plan, &earlier, arguments, stdout);
+    let keeping = Keeping { options, out: &arguments.out, interval, resume: arguments.resume };
+    let mut watcher = Watcher { plan, json: arguments.json, stdout, output: Ok(()) };
+    let kept = run_and_keep(plan, &keeping, bars, &mut watcher);
+    let Watcher { stdout, output, .. } = watcher;
+    output?;
+    let sound = match kept {
+        Kept::Earlier(earlier) => repeat(plan, &earlier, arguments, stdout)?,
+        Kept::Interrupted(interruption) => {
+            return Ok(Outcome::Interrupted(interruption.told(&plan.file)));
         }
-        take(plan, &checkpoint);
-    }
-    let finished = match run_kept(plan, options, bars, &checkpoint) {
-        Ok(finished) => finished,
-        Err(error) => {
-            say(&format!("error: {}: {error}", plan.file));
-            // Only if there is nothing in it.
-            let _ = std::fs::remove_dir(&folder);
+        Kept::Lost(loss) => {
+            let hint = if matches!(loss, Loss::Unprepared(_)) { "; --out names another folder" } else { "" };
+            say(&format!("error: {}: {loss}{hint}", plan.file));
             return Ok(Outcome::Unsound);
         }
-    };
-    if let refused @ 1.. = checkpoint.refused() {
-        let runs = counted(refused, "finished search run");
-        say(&format!(
-            "warning: {}: not what the search finds, so run again: {runs}",
-            checkpoint.path().display()
-        ));
-    }
-    // A folder is only replaced by a whole experiment.
-    if finished.results.was_interrupted() {
-        let kept = kept(plan, &checkpoint);
-        let _ = std::fs::remove_dir(&folder);
-        return Ok(Outcome::Interrupted(kept));
-    }
-    if let Some(problem) = checkpoint.problem() {
-        say(&format!("warning: {}: finished runs could not be kept: {problem}", checkpoint.path().display()));
-    }
-    conclude(plan, &finished, &checkpoint, arguments, bars, stdout)
-}
-
-/// Shows and writes what was found; what was computed is kept even where neither can be done.
-fn conclude(
-    plan: &Plan,
-    finished: &Finished,
-    checkpoint: &Checkpoint,
-    arguments: &RunArguments,
-    bars: &Bars,
-    stdout: &mut impl Write,
-) -> Result<Outcome, Failure> {
-    let json = arguments.json;
-    let mut sound = if json {
-        expectations(plan, finished, &mut std::io::sink())?
-    } else {
-        write!(stdout, "{}", table(&finished.results, room()))?;
-        expectations(plan, finished, stdout)?
-    };
-    bars.begin(&format!("files of {}", plan.stem), None);
-    let delivered = deliver_watched(plan, finished, &arguments.out, bars);
-    bars.end();
-    match delivered {
-        Ok(delivered) if interrupted() && !delivered.record.unwritten().is_empty() => {
-            // The search need not be repeated for the files that are missing.
-            let _ = checkpoint.flush();
-            let (folder, missing) = (delivered.folder.display(), delivered.record.unwritten().len());
-            let files = if missing == 1 { "1 file is" } else { &format!("{missing} files are") };
-            return Ok(Outcome::Interrupted(format!("; {folder}/result.json is written, {files} not")));
-        }
-        Ok(delivered) => {
-            if json {
+        Kept::Done(done) => {
+            let (finished, delivered) = *done;
+            if arguments.json {
                 write!(stdout, "{}", delivered.record.to_json().map_err(std::io::Error::other)?)?;
             } else {
                 for note in &delivered.notes {
@@ -165,77 +106,60 @@ fn conclude(
             }
             for refusal in &delivered.refusals {
                 say(&format!("error: {refusal}"));
-                sound = false;
             }
-            forget(checkpoint);
+            finished.shortfall().is_none() && delivered.refusals.is_empty()
         }
-        Err(error) => {
-            say(&format!("error: {}: the result cannot be written: {error}", plan.file));
-            // It is all there is of the work now.
-            let _ = checkpoint.flush();
-            return Ok(Outcome::Unsound);
-        }
-    }
+    };
     stdout.flush()?;
-    Ok(Outcome::of(sound && finished.results.failures().next().is_none()))
+    Ok(Outcome::of(sound))
 }
 
-/// An experiment whose result is there already.
+/// Shows what is found before it is written: it is seen even where it cannot be kept.
+struct Watcher<'a, W: Write> {
+    plan: &'a Plan,
+    json: bool,
+    stdout: &'a mut W,
+    output: std::io::Result<()>,
+}
+
+impl<W: Write> Listener for Watcher<'_, W> {
+    fn finished(&mut self, finished: &Finished) {
+        self.output = if self.json {
+            expectations(self.plan, finished, &mut std::io::sink())
+        } else {
+            write!(self.stdout, "{}", table(&finished.results, room()))
+                .and_then(|()| expectations(self.plan, finished, self.stdout))
+        };
+    }
+
+    fn remark(&mut self, remark: &Remark) {
+        if remark.is_warning() {
+            say(&format!("warning: {remark}"));
+        } else {
+            say(&format!("{}: {remark}", self.plan.file));
+        }
+    }
+}
+
+/// An experiment whose result is there already; whether it is as it should be.
 fn repeat(
     plan: &Plan,
-    earlier: &record::Earlier,
+    earlier: &Earlier,
     arguments: &RunArguments,
     stdout: &mut impl Write,
-) -> Result<Outcome, Failure> {
-    let folder = folder(plan, &arguments.out);
+) -> std::io::Result<bool> {
     if arguments.json {
         write!(stdout, "{}", earlier.json)?;
     } else {
         line(stdout, &plan.title)?;
+        let folder = folder(plan, &arguments.out);
         line(stdout, &format!("not run again: its result is in {}", folder.display()))?;
     }
-    stdout.flush()?;
-    let (missed, failed) = (earlier.missed, earlier.failed);
-    if missed + failed > 0 {
-        say(&format!("{}: {missed} expected numbers missed, {failed} methods failed", plan.file));
+    let shortfall = earlier.shortfall();
+    if let Some(shortfall) = &shortfall {
+        say(&format!("{}: {shortfall}", plan.file));
     }
-    Ok(Outcome::of(missed + failed == 0))
-}
-
-/// Takes what an interrupted run left behind.
-fn take(plan: &Plan, checkpoint: &Checkpoint) {
-    match checkpoint.load() {
-        Ok(0) => {}
-        Ok(runs) => say(&format!(
-            "{}: {} taken from {}",
-            plan.file,
-            counted(runs, "finished search run"),
-            checkpoint.path().display()
-        )),
-        Err(error) => say(&format!("warning: {} is ignored: {error}", checkpoint.path().display())),
-    }
-}
-
-/// Keeps what is done of an interrupted experiment; what that is, in words.
-fn kept(plan: &Plan, checkpoint: &Checkpoint) -> String {
-    let runs = checkpoint.runs();
-    match checkpoint.flush() {
-        _ if runs == 0 => String::new(),
-        Ok(()) => format!(", {} of {} kept", counted(runs, "finished search run"), plan.file),
-        Err(error) => {
-            format!(", {} of {} could not be kept: {error}", counted(runs, "finished search run"), plan.file)
-        }
-    }
-}
-
-/// Removes the checkpoint of an experiment that is done.
-fn forget(checkpoint: &Checkpoint) {
-    if let Err(error) = checkpoint.remove() {
-        say(&format!(
-            "warning: {} is not needed any more and could not be removed: {error}",
-            checkpoint.path().display()
-        ));
-    }
+    Ok(shortfall.is_none())
 }
 
 /// `reproduce`: the published tables; nothing is written to disk.
@@ -253,7 +177,8 @@ pub(crate) fn reproduce(json: bool, quiet: bool, stdout: &mut impl Write) -> Res
     if reproduction.is_sound() { Ok(()) } else { Err(Failure::Result) }
 }
 
-fn expectations(plan: &Plan, finished: &Finished, stdout: &mut impl Write) -> Result<bool, Failure> {
+/// Tells which expected numbers are met.
+fn expectations(plan: &Plan, finished: &Finished, stdout: &mut impl Write) -> std::io::Result<()> {
     let (expected, missed) = (finished.expected(), finished.missed());
     if expected > 0 {
         writeln!(stdout, "expected numbers: {} of {expected} met", expected - missed.len())?;
@@ -265,5 +190,5 @@ fn expectations(plan: &Plan, finished: &Finished, stdout: &mut impl Write) -> Re
             plan.file, miss.expected.line, miss.method, miss.expected.quantity, miss.expected.text
         ));
     }
-    Ok(missed.is_empty())
+    Ok(())
 }

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, Shape, Side, read_curves};
 use experiment::{ImportError, ImportOptions, Options, Plan};
-use plateau::{AreaEnd, Fill, Film, MethodError, Notation, Warning, Way, counted};
+use plateau::{Fill, Film, MethodError};
 use record::{Destination, ExportError, ResultFile};
+use show::{RimSource, film_figures};
 
 use crate::command::FillArguments;
 use crate::conversion::contents;
@@ -43,20 +44,20 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     notes.iter().for_each(|note| say(&format!("note: {note}")));
     let tolerance = options.tolerance.unwrap_or(ImportOptions::TOLERANCE * assembly.size);
     let frame = assembly.frame(tolerance).map_err(|error| refuse(&error))?;
-    let film = spanned(&frame, arguments).map_err(|error| match error {
+    let fill = filling(arguments);
+    let film = spanned(&frame, &fill).map_err(|error| match error {
         MethodError::Cutting(error) => refuse(&error),
         error => {
             say(&format!("error: {name}: {error}"));
             Failure::Result
         }
     })?;
-    figures(&film, &assembly, stdout)?;
+    for (name, value) in film_figures(&film, rim_source(&assembly)) {
+        line(stdout, &format!("{name:<16}{value}"))?;
+    }
     stdout.flush()?;
     let title = title(&arguments.files[0]);
-    let experiment = || {
-        let text = experiment::import_assembly(&assembly, &title, &options, &notes)?;
-        Ok::<_, ImportError>(text + &more_keys(arguments))
-    };
+    let experiment = || experiment::import_assembly(&assembly, &title, &options, &fill, &notes);
     let mut sound = true;
     for (wanted, to) in &outputs {
         let written = match wanted {
@@ -95,21 +96,6 @@ fn told(written: Result<Option<String>, ExportError>, to: &Destination) -> bool 
         }
     }
     true
-}
-
-/// Keys of the method, which ends an experiment, that only this command has options for.
-fn more_keys(arguments: &FillArguments) -> String {
-    let mut keys = String::new();
-    if arguments.layers > 0 {
-        keys += &format!("layers = {}\n", arguments.layers);
-    }
-    if let Some(accuracy) = arguments.accuracy {
-        keys += &format!("accuracy = {accuracy:?}\n");
-    }
-    if arguments.bound {
-        keys += "bound = true\n";
-    }
-    keys
 }
 
 /// The record of an experiment that is run.
@@ -157,108 +143,37 @@ fn curves(files: &[PathBuf]) -> Result<CurveFile, Failure> {
             say(&format!("error: {}: {error}", path.display()));
             Failure::Input
         })?;
-        match &mut all {
-            None => all = Some(file),
-            Some(all) => {
-                all.curves.extend(file.curves);
-                all.notes.extend(file.notes);
-            }
-        }
+        all = Some(match all {
+            Some(all) => all.with(file),
+            None => file,
+        });
     }
     // The command line wants a file.
     all.ok_or(Failure::Input)
 }
 
-fn spanned(frame: &Frame, arguments: &FillArguments) -> Result<Film, MethodError> {
-    let mut fill = Fill::default()
+/// What was asked for.
+fn filling(arguments: &FillArguments) -> Fill {
+    let fill = Fill::default()
         .with_layers(arguments.layers.into())
         .with_accuracy(arguments.accuracy)
         .with_bound(arguments.bound)
         .with_mesh(arguments.mesh.into());
-    if let Some(degree) = arguments.degree {
-        fill = fill.with_degree(degree.into());
-    }
+    arguments.degree.map_or(fill, |degree| fill.with_degree(degree.into()))
+}
+
+fn spanned(frame: &Frame, fill: &Fill) -> Result<Film, MethodError> {
     match frame {
         Frame::Loops(loops) => fill.loops(loops, &()),
         Frame::Graph(graph) => fill.graph(graph, &()),
     }
 }
 
-/// The figures of a film, one a line.
-fn figures(film: &Film, assembly: &Assembly, stdout: &mut impl Write) -> Result<(), Failure> {
-    let mut row = |name: &str, value: String| line(stdout, &format!("{name:<16}{value}"));
-    let area = film.figures.area;
-    row("area", format!("{} ± {:.1e}", digits(area.value), area.error))?;
-    if let Some(estimate) = film.estimate {
-        row("least area", format!("about {} less (estimated)", Notation::Order.of(estimate)))?;
-    } else if film.extremal.is_some_and(|found| found.end == AreaEnd::Stationary && found.area.settled)
-        && !film.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)))
-    {
-        let why = "not estimated, which would cost more than the surface did; --accuracy 1e-6 estimates it";
-        row("least area", why.into())?;
-    }
-    if let Some(bound) = &film.bound {
-        row("least area", format!("≥ {}, proved of {}", digits(bound.value), bound.competitors.name()))?;
-    }
-    if let Some(discs) = film.one_by_one {
-        row("one by one", format!("{} with each loop spanned by itself", digits(discs)))?;
-    }
-    let (faces, degree) = (film.complex.faces().len(), film.complex.degree());
-    let layers = match film.layers {
-        0 => String::new(),
-        1 => ", a layer of smaller ones around corners".to_owned(),
-        layers => format!(", {layers} layers of smaller ones around corners"),
-    };
-    row("faces", format!("{faces} of degree {degree}: {}{layers}", way(film.way)))?;
-    if let Some(kink) = film.seams.kink {
-        let degrees = |angle: f64| Notation::Significant(2).of(angle.to_degrees());
-        row("kink", format!("at most {}°, root mean square {}°", degrees(kink.max), degrees(kink.rms)))?;
-    }
-    row("Jacobian ratio", format!("{:.2}", film.seams.jacobian_ratio))?;
-    if film.rim.largest > 0.0 {
-        let (largest, area) = (film.rim.largest, film.rim.area);
-        row("rim", format!("within {largest:.1e} of the curves, which can change the area by {area:.1e}"))?;
-    } else {
-        let is_sampled = |side: &Side| matches!(&side.shape, Shape::Polyline(points) if points.len() > 2);
-        let exact = if assembly.sides.iter().any(is_sampled) {
-            "exact in the points given, a smooth curve between them"
-        } else {
-            "exact"
-        };
-        row("rim", exact.into())?;
-    }
+/// What the curves were before they were filled.
+fn rim_source(assembly: &Assembly) -> RimSource {
+    let is_sampled = |side: &Side| matches!(&side.shape, Shape::Polyline(points) if points.len() > 2);
     let weld = assembly.weld;
-    if weld.count > 0 {
-        row("welded", format!("{}, moved by at most {:.1e}", counted(weld.count, "end"), weld.largest))?;
-    }
-    if let Some(found) = &film.extremal
-        && found.end != AreaEnd::Stationary
-    {
-        row("end", found.end.to_string())?;
-    }
-    for warning in &film.warnings {
-        let is_note = matches!(warning, Warning::LayerSet { .. });
-        row(if is_note { "note" } else { "warning" }, warning.to_string())?;
-    }
-    Ok(())
-}
-
-/// How a boundary was cut, in words.
-fn way(way: Way) -> &'static str {
-    match way {
-        Way::Grid => "a grid over four sides",
-        Way::Midpoint => "a quadrilateral at every corner, around the middle",
-        Way::Ring => "a ring along the rim, and its inside",
-        Way::TurnedRing => "a ring along the rim, and its inside turned by half a side",
-        Way::Annulus => "a band between the loops",
-        Way::Faces => "each face of the graph by itself",
-        Way::Parts => "four-sided parts, each by itself",
-    }
-}
-
-/// Twelve significant digits.
-fn digits(x: f64) -> String {
-    Notation::Significant(12).of(x)
+    RimSource { sampled: assembly.sides.iter().any(is_sampled), welded: weld.count, moved: weld.largest }
 }
 
 fn names(files: &[PathBuf]) -> String {

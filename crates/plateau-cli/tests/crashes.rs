@@ -428,7 +428,7 @@ fn what_was_missed_is_missed_again_without_a_run() {
         assert_eq!(output.status.code(), Some(1), "{output:?}");
     }
     let output = plateau(std::slice::from_ref(&file), &out, &["--resume"]).output().unwrap();
-    assert!(text_of(&output).contains("1 expected numbers missed, 0 methods failed"), "{output:?}");
+    assert!(text_of(&output).contains("1 expected number missed, 0 methods failed"), "{output:?}");
     // A result of something else is no result of this.
     let path = out.join("x/result.json");
     let record = fs::read_to_string(&path).unwrap();

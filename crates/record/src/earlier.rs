@@ -10,7 +10,7 @@ use crate::folder::{RESULT_FILE, folder, folder_name, is_file_of_experiment, sur
 use crate::result_reader::own_contents;
 use crate::{Manifest, SCHEMA};
 use exchange::Format;
-use experiment::{Options, Plan, stem};
+use experiment::{Options, Plan, shortfall, stem};
 
 /// A whole result in the folder of an experiment: another run would write the same bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,6 +22,14 @@ pub struct Earlier {
     pub failed: usize,
     /// How many expected numbers were missed.
     pub missed: usize,
+}
+
+impl Earlier {
+    /// What is not as the file wants it, in words; none if all is.
+    #[must_use]
+    pub fn shortfall(&self) -> Option<String> {
+        shortfall(self.missed, self.failed)
+    }
 }
 
 #[derive(Deserialize)]

@@ -11,6 +11,7 @@
 //! | the record | [`ResultFile`], [`method_record()`], [`SCHEMA`], [`Manifest`], [`Origin`] |
 //! | writing | [`deliver()`], [`deliver_watched()`], [`prepare()`], [`report()`], [`Delivered`], [`DeliverError`]; [`write_text()`], [`export_complex()`], [`Destination`], [`ExportError`] |
 //! | the folder | [`folder()`], [`folder_of()`], [`folder_key()`], [`own_contents()`], [`RESULT_FILE`], [`REPORT_FILE`]; [`Claim`], [`earlier()`], [`Earlier`] |
+//! | running and keeping | [`run_and_keep()`], [`Keeping`], [`Kept`], [`Loss`], [`Interruption`]; [`Listener`], [`Remark`] |
 //! | checkpoints | [`Checkpoint`], [`CHECKPOINT_FILE`], [`CheckpointError`] |
 //! | reading | [`StoredResult`], [`StoredMethod`], [`ReadError`] |
 //! | computing again | [`verify()`], [`result_text()`], [`verify_text()`], [`Verification`], [`Verified`], [`Level`], [`Difference`], [`VerifyError`]; [`reproduce()`], [`Reproduction`], [`Reproduced`], [`Verdict`], [`REPRODUCTION_SCHEMA`] |
@@ -23,6 +24,7 @@ mod earlier;
 mod export;
 mod file_name;
 mod folder;
+mod kept_run;
 mod manifest;
 mod reproduce;
 mod result;
@@ -39,6 +41,7 @@ pub use destination::Destination;
 pub use earlier::{Earlier, earlier};
 pub use export::{DeliverError, ExportError, export_complex, write_text};
 pub use folder::{REPORT_FILE, RESULT_FILE, folder, folder_key, folder_of};
+pub use kept_run::{Interruption, Keeping, Kept, Listener, Loss, Remark, run_and_keep};
 pub use manifest::{Manifest, Origin};
 pub use reproduce::{REPRODUCTION_SCHEMA, Reproduced, Reproduction, Verdict, reproduce};
 pub use result::{ResultFile, method_record};

@@ -9,7 +9,7 @@
 //!
 //! | noun | here |
 //! |---|---|
-//! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`] |
+//! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`]; [`film_figures()`] with a [`RimSource`] |
 //! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`by_mean_curvature()`] |
 //! | studies | [`Study`], [`StudyRow`]s, [`Multiples`] of [`Panel`]s |
 //! | the page | [`page()`], [`About`]; [`Comparison`], [`Verdict`] |
@@ -19,6 +19,7 @@
 
 mod colour;
 mod curvature_colours;
+mod film;
 mod page;
 mod picture;
 mod printable;
@@ -26,6 +27,7 @@ mod scene;
 mod table;
 
 pub use curvature_colours::by_mean_curvature;
+pub use film::{RimSource, film_figures};
 pub use page::{About, Comparison, Study, StudyRow, Verdict, page, study_page};
 pub use picture::{Multiples, PICTURES, Panel, Picture, basis_functions, construction, multiples, pictures};
 pub use printable::{Printable, stand_ins, width_of_names};

@@ -1,16 +1,13 @@
 //! Running the cells of a shard.
 
 use std::collections::VecDeque;
-use std::io::ErrorKind;
-use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-use experiment::{Plan, run_kept};
+use experiment::{Finished, Plan};
 use plateau::Progress;
 use record::{
-    Checkpoint, DeliverError, Destination, Manifest, deliver_watched, earlier, own_contents, prepare,
-    write_text,
+    DeliverError, Destination, Keeping, Kept, Listener, Remark, own_contents, run_and_keep, write_text,
 };
 
 use crate::order::Order;
@@ -209,100 +206,52 @@ impl Work<'_> {
                 return Outcome::Lost;
             }
         };
-        if let Some(kept) = self.kept(&plan) {
-            return kept;
-        }
-        let _claim = match prepare(&plan, &self.folder) {
-            Ok(claim) => claim,
-            Err(error) if error.source.kind() == ErrorKind::ResourceBusy => return Outcome::Elsewhere,
-            Err(error) => {
-                self.tell(&plan, &format!("not run, for its result could not be written: {error}"));
-                return Outcome::Lost;
-            }
-        };
-        // Another process may have ended it before the claim.
-        match self.kept(&plan) {
-            Some(kept) => kept,
-            None => self.computed(&plan),
-        }
-    }
-
-    /// The result that is there already.
-    fn kept(&self, plan: &Plan) -> Option<Outcome> {
-        let earlier = earlier(plan, self.order.options, &self.folder)?;
-        let sound = earlier.missed + earlier.failed == 0;
-        if !sound {
-            let (missed, failed) = (earlier.missed, earlier.failed);
-            self.tell(plan, &format!("{missed} expected numbers missed, {failed} methods failed"));
-        }
-        Some(Outcome::Kept { sound })
-    }
-
-    fn computed(&self, plan: &Plan) -> Outcome {
         let Order { options, interval, .. } = *self.order;
-        let folder = record::folder(plan, &self.folder);
-        let checkpoint = Checkpoint::new(&folder, Manifest::new(plan, options), interval);
-        if let Err(error) = checkpoint.load() {
-            self.tell(plan, &format!("{} is ignored: {error}", checkpoint.path().display()));
-        }
-        let watch = Watch(self.progress);
-        let finished = match run_kept(plan, options, &watch, &checkpoint) {
-            Ok(finished) => finished,
-            Err(error) => {
-                self.tell(plan, &error.to_string());
-                empty(&folder);
-                return Outcome::Lost;
+        let keeping = Keeping { options, out: &self.folder, interval, resume: true };
+        let kept =
+            run_and_keep(&plan, &keeping, &Watch(self.progress), &mut Remarks { work: self, plan: &plan });
+        match kept {
+            Kept::Earlier(earlier) => Outcome::Kept { sound: self.meets(&plan, earlier.shortfall()) },
+            Kept::Interrupted(_) => Outcome::Interrupted,
+            Kept::Lost(loss) if loss.is_elsewhere() => Outcome::Elsewhere,
+            Kept::Lost(loss) => {
+                self.tell(&plan, &loss.to_string());
+                Outcome::Lost
             }
-        };
-        if finished.results.was_interrupted() {
-            self.flush(plan, &checkpoint);
-            empty(&folder);
-            return Outcome::Interrupted;
-        }
-        let delivered = match deliver_watched(plan, &finished, &self.folder, &watch) {
-            Ok(delivered) => delivered,
-            Err(error) => {
-                self.tell(plan, &format!("the result cannot be written: {error}"));
-                // It is all there is of the work now.
-                self.flush(plan, &checkpoint);
-                return Outcome::Lost;
+            Kept::Done(done) => {
+                let (finished, delivered) = *done;
+                for refusal in &delivered.refusals {
+                    self.tell(&plan, &refusal.to_string());
+                }
+                let sound = self.meets(&plan, finished.shortfall()) && delivered.refusals.is_empty();
+                Outcome::Done { sound }
             }
-        };
-        if self.progress.cancelled() && !delivered.record.unwritten().is_empty() {
-            self.flush(plan, &checkpoint);
-            return Outcome::Interrupted;
         }
-        if let Err(error) = checkpoint.remove() {
-            self.tell(
-                plan,
-                &format!(
-                    "{} is not needed any more and could not be removed: {error}",
-                    checkpoint.path().display()
-                ),
-            );
-        }
-        for refusal in &delivered.refusals {
-            self.tell(plan, &refusal.to_string());
-        }
-        let missed = finished.missed().len();
-        let failed = finished.results.failures().count();
-        if missed + failed > 0 {
-            self.tell(plan, &format!("{missed} expected numbers missed, {failed} methods failed"));
-        }
-        Outcome::Done { sound: missed + failed == 0 && delivered.refusals.is_empty() }
     }
 
-    /// Keeps the runs of searches that have ended.
-    fn flush(&self, plan: &Plan, checkpoint: &Checkpoint) {
-        if let Err(error) = checkpoint.flush() {
-            self.tell(plan, &format!("finished search runs could not be kept: {error}"));
+    /// Whether nothing is short of what a cell expects; what is, is told.
+    fn meets(&self, plan: &Plan, shortfall: Option<String>) -> bool {
+        if let Some(shortfall) = &shortfall {
+            self.tell(plan, shortfall);
         }
+        shortfall.is_none()
     }
 }
 
-/// Removes a folder if there is nothing in it.
-fn empty(folder: &Path) {
-    let _ = std::fs::remove_dir(folder);
+/// Passes on what is amiss with a cell; its figures are read where its folder is merged.
+struct Remarks<'a> {
+    work: &'a Work<'a>,
+    plan: &'a Plan,
+}
+
+impl Listener for Remarks<'_> {
+    fn finished(&mut self, _: &Finished) {}
+
+    fn remark(&mut self, remark: &Remark) {
+        if remark.is_warning() {
+            self.work.tell(self.plan, &remark.to_string());
+        }
+    }
 }
 
 /// The bar is that of the cells; from inside of one only the wish to end is passed on.

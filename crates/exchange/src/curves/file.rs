@@ -23,3 +23,13 @@ pub struct CurveFile {
     /// Sentences a user should see: what was passed over, what was assumed, the unit of length.
     pub notes: Vec<String>,
 }
+
+impl CurveFile {
+    /// The curves of another file beside these.
+    #[must_use]
+    pub fn with(mut self, other: Self) -> Self {
+        self.curves.extend(other.curves);
+        self.notes.extend(other.notes);
+        self
+    }
+}

@@ -18,8 +18,14 @@ pub(super) fn head(title: &str, notes: &[&str]) -> String {
     text
 }
 
-/// A boundary of loops or faces over curves.
-pub(super) fn assembly(title: &str, assembly: &Assembly, options: &ImportOptions, notes: &[&str]) -> String {
+/// A boundary of loops or faces over curves, and what fills it.
+pub(super) fn assembly(
+    title: &str,
+    assembly: &Assembly,
+    options: &ImportOptions,
+    fill: &Fill,
+    notes: &[&str],
+) -> String {
     let tolerance = options.tolerance.unwrap_or(ImportOptions::TOLERANCE * assembly.size);
     let mut text = head(title, notes);
     match &assembly.form {
@@ -46,13 +52,24 @@ pub(super) fn assembly(title: &str, assembly: &Assembly, options: &ImportOptions
             let _ = write!(text, "\n[[face]]\nvertices = [{}]\n", corners.collect::<Vec<_>>().join(", "));
         }
     }
-    let _ = write!(
-        text,
-        "\n[[method]]\nname = \"least area\"\nenergy = \"area\"\ntolerance = {:?}\n",
-        Fill::TOLERANCE
-    );
-    if let Some(degree) = options.degree {
+    text + &method(fill)
+}
+
+/// The method that fills; of its keys those whose values are not the usual ones.
+fn method(fill: &Fill) -> String {
+    let mut text = String::from("\n[[method]]\nname = \"least area\"\nenergy = \"area\"\n");
+    let _ = writeln!(text, "tolerance = {:?}", fill.tolerance());
+    if let Some(degree) = fill.degree() {
         let _ = writeln!(text, "degree = {degree}");
+    }
+    if fill.layers() > 0 {
+        let _ = writeln!(text, "layers = {}", fill.layers());
+    }
+    if let Some(accuracy) = fill.accuracy() {
+        let _ = writeln!(text, "accuracy = {accuracy:?}");
+    }
+    if fill.bound() {
+        let _ = writeln!(text, "bound = true");
     }
     text
 }

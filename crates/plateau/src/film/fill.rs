@@ -95,6 +95,36 @@ impl Fill {
         self
     }
 
+    /// The degree that was asked for.
+    #[must_use]
+    pub fn degree(&self) -> Option<usize> {
+        self.degree
+    }
+
+    /// See [`with_tolerance`](Self::with_tolerance).
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// See [`with_layers`](Self::with_layers).
+    #[must_use]
+    pub fn layers(&self) -> usize {
+        self.layers
+    }
+
+    /// See [`with_accuracy`](Self::with_accuracy).
+    #[must_use]
+    pub fn accuracy(&self) -> Option<f64> {
+        self.accuracy
+    }
+
+    /// See [`with_bound`](Self::with_bound).
+    #[must_use]
+    pub fn bound(&self) -> bool {
+        self.bound
+    }
+
     /// Minimises this energy.
     #[must_use]
     pub fn with_energy(mut self, energy: FillEnergy) -> Self {
