@@ -127,11 +127,13 @@ fn films(experiment: &FilmExperiment, mesh: usize, progress: &dyn Progress) -> V
             .with_bound(method.bound)
             .with_mesh_in_all(mesh);
         let fill = method.degree.map_or(fill, |degree| fill.with_degree(degree));
+        progress.begin(&format!("surface of {}", method.name), None);
         let film = match &experiment.rim {
-            Rim::Loops(loops) => fill.loops(loops, progress)?,
-            Rim::Faces(graph) => fill.graph(graph, progress)?,
+            Rim::Loops(loops) => fill.loops(loops, progress),
+            Rim::Faces(graph) => fill.graph(graph, progress),
         };
-        Ok(film.into_done(method.energy))
+        progress.end();
+        Ok(film?.into_done(method.energy))
     };
     let result = |method: &FilmMethod| MethodResult {
         name: method.name.clone(),

@@ -430,6 +430,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("no energy over a polygon", POLYGON, &[("[[method]]", "«[[method]]»"), ("energy = \"area\"\n", "")], Missing, &["energy", "least area"]),
     mutant("degree over a net", TENSOR, &[("basis = \"bernstein\"", "basis = \"bernstein\"\ndegree = «6»")], Conflict, &["degree", "tensor", "loops"]),
     mutant("layers on a triangle", TRIANGLE, &[("mask", "layers = «1»\nmask")], Conflict, &["layers", "triangular", "loops"]),
+    mutant("layers of a Dirichlet extremal", TENSOR, &[("basis = \"bernstein\"", "basis = \"bernstein\"\nlayers = «1»")], Conflict, &["layers", "not of least area"]),
     mutant("degree of nothing", POLYGON, &[("degree = 6", "degree = «0»")], Inadmissible, &["degree", "between 1 and 24"]),
     mutant("a bound of a Dirichlet energy", POLYGON, &[("\"area\"", "\"dirichlet\""), ("degree = 6", "bound = «true»")], Conflict, &["bound", "energy = \"area\""]),
     mutant("an accuracy of a Dirichlet energy", POLYGON, &[("\"area\"", "\"dirichlet\""), ("degree = 6", "accuracy = «1e-6»")], Conflict, &["accuracy", "energy = \"area\""]),

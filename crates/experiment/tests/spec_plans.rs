@@ -147,7 +147,7 @@ fn every_interior() {
         ("energy = \"laplacian\"", extremal(Functional::Laplacian)),
         ("energy = \"bending\"", extremal(Functional::Bending)),
         ("energy = \"coons\"", extremal(Functional::Coons)),
-        ("energy = \"area\"", TensorInterior::LeastArea { tolerance: 1e-10, bound: false }),
+        ("energy = \"area\"", TensorInterior::LeastArea { tolerance: 1e-10, bound: false, layers: 0 }),
         (
             "energy = \"dirichlet\"\nmetric-steps = 2",
             TensorInterior::MetricCorrections { steps: 2, solver: SolverChoice::Auto },

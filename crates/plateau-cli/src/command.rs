@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
+use plateau::DegreeLimit;
 use sweep::Asked;
 
 use crate::values::{Arithmetic, FamilyName, FileFormat, Kind, accuracy, pair, seconds, share};
@@ -199,8 +200,8 @@ pub(crate) struct FillArguments {
     /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu; toml for the experiment, json for its result. May be given several times
     #[arg(long, short, value_name = "OUT")]
     pub(crate) out: Vec<PathBuf>,
-    /// Degree of the patches; by default 6, or that of the curves where it is higher
-    #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
+    /// Degree of the patches, at most 24; by default 6, or that of the curves where it is higher
+    #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=DegreeLimit::Patches.degree() as i64))]
     pub(crate) degree: Option<u16>,
     /// Layers of smaller patches around corners where the surface is not smooth
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1))]
@@ -223,6 +224,9 @@ pub(crate) struct FillArguments {
     /// Subdivisions of each side of a patch in meshes
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(1..=100))]
     pub(crate) mesh: u16,
+    /// No progress on stderr
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
 }
 
 /// What `verify` takes.

@@ -5,13 +5,15 @@ use std::path::{Path, PathBuf};
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, Shape, Side, read_curves};
 use experiment::{ImportError, ImportOptions, Options, Plan};
-use plateau::{Fill, Film, MethodError};
+use plateau::{Fill, Film, MethodError, Progress};
 use record::{Destination, ExportError, ResultFile};
 use show::{RimSource, film_figures};
 
+use crate::bars::Bars;
 use crate::command::FillArguments;
 use crate::conversion::contents;
 use crate::failure::Failure;
+use crate::interrupt::listen;
 use crate::terminal::{line, say};
 
 /// What is written at the end.
@@ -24,6 +26,7 @@ enum Wanted {
 
 /// Fills, prints the figures, writes the files; one that is refused keeps none of the others back.
 pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result<(), Failure> {
+    listen();
     let outputs = arguments.out.iter().map(|path| output(path, &arguments.files));
     let outputs = outputs.collect::<Result<Vec<_>, Failure>>()?;
     let options = ImportOptions {
@@ -45,8 +48,9 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     let tolerance = options.tolerance.unwrap_or(ImportOptions::TOLERANCE * assembly.size);
     let frame = assembly.frame(tolerance).map_err(|error| refuse(&error))?;
     let fill = filling(arguments);
-    let film = spanned(&frame, &fill).map_err(|error| match error {
+    let film = spanned(&frame, &fill, &name, arguments.quiet).map_err(|error| match error {
         MethodError::Cutting(error) => refuse(&error),
+        MethodError::Interrupted => Failure::Interrupted,
         error => {
             say(&format!("error: {name}: {error}"));
             Failure::Result
@@ -162,11 +166,16 @@ fn filling(arguments: &FillArguments) -> Fill {
     arguments.degree.map_or(fill, |degree| fill.with_degree(degree.into()))
 }
 
-fn spanned(frame: &Frame, fill: &Fill) -> Result<Film, MethodError> {
-    match frame {
-        Frame::Loops(loops) => fill.loops(loops, &()),
-        Frame::Graph(graph) => fill.graph(graph, &()),
-    }
+/// The surface over a frame of these files; how far it is, is told on stderr unless that is to be quiet.
+fn spanned(frame: &Frame, fill: &Fill, files: &str, quiet: bool) -> Result<Film, MethodError> {
+    let bars = Bars::new(quiet);
+    bars.begin(&format!("surface over {files}"), None);
+    let film = match frame {
+        Frame::Loops(loops) => fill.loops(loops, &bars),
+        Frame::Graph(graph) => fill.graph(graph, &bars),
+    };
+    bars.end();
+    film
 }
 
 /// What the curves were before they were filled.

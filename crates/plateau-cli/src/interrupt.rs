@@ -35,7 +35,7 @@ pub(crate) fn interrupted() -> bool {
 pub(crate) fn listen() {
     // Whoever ignores hangups (`nohup`) goes on when the terminal is closed; the listener would hear them nevertheless.
     if ignores_hangups() {
-        return;
+        hold_hangups();
     }
     let handler = ctrlc::set_handler(|| {
         if INTERRUPTED.get_or_init(Instant::now).elapsed() > ONE_WISH || READING.load(Ordering::SeqCst) {
@@ -57,3 +57,17 @@ fn ignores_hangups() -> bool {
     };
     cfg!(target_os = "linux") && ignored().is_some_and(|ignored| ignored & HANGUP != 0)
 }
+
+/// Lets hangups reach no thread: this one has them held back, and hands that on to all that it begins.
+#[cfg(unix)]
+fn hold_hangups() {
+    use nix::sys::signal::{SigSet, Signal};
+    let mut hangup = SigSet::empty();
+    hangup.add(Signal::SIGHUP);
+    if let Err(error) = hangup.thread_block() {
+        say(&format!("warning: the run will end when its terminal is closed: {error}"));
+    }
+}
+
+#[cfg(not(unix))]
+fn hold_hangups() {}

@@ -353,22 +353,30 @@ fn text_of(output: &Output) -> String {
 #[test]
 fn being_asked_to_end_keeps_the_finished_runs_and_says_how_to_go_on() {
     for signal in ["-INT", "-TERM", "-HUP"] {
-        asked_to_end(signal);
+        asked_to_end(signal, false);
     }
 }
 
-fn asked_to_end(signal: &str) {
+#[cfg(target_os = "linux")]
+#[test]
+fn who_outlives_the_terminal_may_be_asked_to_end() {
+    asked_to_end("-TERM", true);
+}
+
+fn asked_to_end(signal: &str, under_nohup: bool) {
     let folder = tempfile::tempdir().unwrap();
     let files = [folder.path().join("first.toml"), folder.path().join("long.toml")];
     fs::write(&files[0], fixture("gt-5.1.toml", 20, 40, 6)).unwrap();
     fs::write(&files[1], fixture("gt-5.2-local.toml", 50, 1500, 150)).unwrap();
     let out = folder.path().join("out");
     // Once a run of the second has ended there is a checkpoint, long before all have.
-    let mut child = plateau(&files, &out, &["--checkpoint-every", "0.01"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut command = plateau(&files, &out, &["--checkpoint-every", "0.01"]);
+    if under_nohup {
+        let mut outer = Command::new("nohup");
+        outer.arg(command.get_program()).args(command.get_args()).stdin(Stdio::null());
+        command = outer;
+    }
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     while !out.join("long/checkpoint").exists() && child.try_wait().unwrap().is_none() {
         sleep(Duration::from_millis(2));
     }

@@ -20,6 +20,9 @@ pub enum DegreeLimit {
     /// Least areas of tensor nets: at degree 32 the rounding of control points may be seen in the seventh digit of the area, at 40 nothing else.
     #[error("least areas are offered to degree {}", self.degree())]
     LeastArea,
+    /// Least areas of several patches.
+    #[error("surfaces of several patches are offered to degree {}", self.degree())]
+    Patches,
     /// Least areas over a triangle, whose tables of all basis functions at all points grow with the fourth power of the degree.
     #[error("least areas over triangles are offered to degree {}", self.degree())]
     TriangularLeastArea,
@@ -31,9 +34,9 @@ pub enum DegreeLimit {
 impl DegreeLimit {
     /// The largest degree after `raise`, in the larger direction.
     #[must_use]
-    pub fn degree(self) -> usize {
+    pub const fn degree(self) -> usize {
         match self {
-            Self::Triangle => 24,
+            Self::Triangle | Self::Patches => 24,
             Self::MetricSteps => 13,
             Self::Harmonic => 20,
             Self::LeastArea => 32,
@@ -65,6 +68,7 @@ impl Method {
 
 fn limit_of_tensor(functions: &Functions, interior: TensorInterior) -> Option<DegreeLimit> {
     match interior {
+        TensorInterior::LeastArea { layers: 1.., .. } => Some(DegreeLimit::Patches),
         TensorInterior::LeastArea { .. } => Some(DegreeLimit::LeastArea),
         TensorInterior::MetricCorrections { .. } => Some(DegreeLimit::MetricSteps),
         TensorInterior::Harmonic => Some(DegreeLimit::Harmonic),

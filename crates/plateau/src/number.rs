@@ -13,6 +13,8 @@ pub enum Notation {
     Order,
     /// Three decimals, or one and the exponent below 0.01 and from 1e6 on: estimates.
     Estimate,
+    /// An angle in radians, by so many digits of its degrees as [`Self::Significant`].
+    Degrees(usize),
     /// Exactly so many digits, 1 to 17; with an exponent outside of 1e-5 to 1e12.
     Significant(usize),
     /// At most so many digits, 1 to 17, as print sets them: `1.2·10⁻⁷`. For pictures and pages.
@@ -37,9 +39,14 @@ impl Notation {
             }
             Self::Percent(decimals) if x.abs() < 1e4 => format!("{:.decimals$} %", 100.0 * x),
             Self::Percent(_) => Self::Order.of(x),
-            Self::Order | Self::Estimate | Self::Significant(_) | Self::Digits(_) if x == 0.0 => "0".into(),
+            Self::Order | Self::Estimate | Self::Degrees(_) | Self::Significant(_) | Self::Digits(_)
+                if x == 0.0 =>
+            {
+                "0".into()
+            }
             Self::Estimate if (0.01..1e6).contains(&x.abs()) => format!("{x:.3}"),
             Self::Estimate => Self::Order.of(x),
+            Self::Degrees(count) => significant(x.to_degrees(), count),
             Self::Significant(count) => significant(x, count),
             Self::Order => format!("{x:.1e}"),
             Self::Digits(most) => digits(x, most),
@@ -131,6 +138,8 @@ mod tests {
         let shown = [0.005_164, 1.0, 3e-9, 3e7].map(|x| Notation::Percent(4).of(x));
         assert_eq!(shown, ["0.5164 %", "100.0000 %", "0.0000 %", "3.0e7"]);
         assert_eq!(Notation::Order.of(5.46e-13), "5.5e-13");
+        let shown = [0.0, 0.5, 4.1e-3, 1e-9].map(|x| Notation::Degrees(2).of(x));
+        assert_eq!(shown, ["0", "29", "0.23", "5.7e-8"]);
         let shown = [0.0, 0.154_12, 1e-100, 6.57e60, -3.5e-3].map(|x| Notation::Estimate.of(x));
         assert_eq!(shown, ["0", "0.154", "1.0e-100", "6.6e60", "-3.5e-3"]);
         let shown = [0.0, 36.767_191_079, 6.5e-24, 1e-100, 6.5e60].map(|x| Notation::Significant(5).of(x));

@@ -1,15 +1,15 @@
 //! Runs one method.
 
-use surfaces::TensorPatch;
+use surfaces::{Mesh, Point, TensorPatch};
 
 use crate::excess::estimated;
 use crate::interior::{boundary_net, construct, extremal, triangle};
 use crate::method::patch_of;
 use crate::search::search;
 use crate::{
-    AreaExtremal, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Filling, FixedShape,
-    Functions, Method, MethodError, SolveFigures, Solved, Surface, TensorInterior, Warning, least_area_from,
-    least_area_raised, lower_bound_of_net, memory, trust,
+    AreaExtremal, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Fill, FillEnergy,
+    Filling, FixedShape, Functions, Loop, Method, MethodError, SolveFigures, Solved, Surface, TensorBoundary,
+    TensorInterior, Warning, least_area_from, least_area_raised, lower_bound_of_net, memory, trust,
 };
 
 /// A surface that loses more than this share of its size to cancellation is not one.
@@ -30,6 +30,9 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
         limit.admits(boundary.degrees(), method.raise())?;
     }
     memory::holds(memory::of_method(method, boundary.degrees()))?;
+    if let (Boundary::Tensor(sides), Some(fill)) = (boundary, layered(method)) {
+        return around_corners(sides, method, fill.with_mesh_in_all(context.mesh), context);
+    }
     let given = boundary;
     let (boundary, origin) = boundary.anchored();
     let near = |solved: &&Solved| {
@@ -69,8 +72,36 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     Ok(Done { solved, mesh, figures, boundary, closed_form: None, film: None, estimate, bound, warnings })
 }
 
+/// How a method fills four sides with layers of smaller patches around corners, if it does.
+fn layered(method: &Method) -> Option<Fill> {
+    match method.filling() {
+        Filling::Tensor {
+            interior: TensorInterior::LeastArea { tolerance, bound, layers: layers @ 1.. },
+            ..
+        } => Some(Fill::default().with_tolerance(*tolerance).with_bound(*bound).with_layers(*layers)),
+        Filling::Tensor { .. } | Filling::Triangle(_) => None,
+    }
+}
+
+/// The surface of several patches over four sides, the same as over the loop that they make.
+fn around_corners(
+    sides: &TensorBoundary,
+    method: &Method,
+    fill: Fill,
+    context: &Context<'_>,
+) -> Result<Done, MethodError> {
+    let [u0, u1, v0, v1] = sides.sides().clone();
+    let back = |side: Vec<Point>| side.into_iter().rev().collect();
+    let around = Loop::sides(vec![u0, v1, back(u1), back(v0)])?;
+    let (m, n) = sides.degrees();
+    context.progress.begin(&format!("least area of {}", method.name()), None);
+    let film = fill.with_degree(m.max(n) + method.raise()).loops(&[around], context.progress);
+    context.progress.end();
+    Ok(film?.into_done(FillEnergy::Area))
+}
+
 /// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.
-fn figures(solved: &Solved, mesh: &surfaces::Mesh, origin: surfaces::Point) -> Result<Figures, MethodError> {
+fn figures(solved: &Solved, mesh: &Mesh, origin: Point) -> Result<Figures, MethodError> {
     let patches: Vec<&dyn surfaces::Patch> = solved.surface.patch().into_iter().collect();
     let figures = Figures::of_moved(&patches, mesh, origin.norm())?;
     Ok(match solved.minimised {

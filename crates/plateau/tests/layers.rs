@@ -1,6 +1,9 @@
 //! Layers of smaller patches around corners.
 
-use plateau::{Fill, Film, Loop, Warning, estimate_complex, least_area_complex_near, odd_corners};
+use plateau::{
+    Boundary, Context, Fill, Film, Functions, Loop, Method, MethodFault, Surface, TensorBoundary,
+    TensorInterior, Warning, estimate_complex, least_area_complex_near, odd_corners, solve,
+};
 use surfaces::{Bezier, BoundaryCurve, Point};
 
 /// A hexagon with a re-entrant corner.
@@ -130,4 +133,35 @@ fn a_film_with_a_layer_is_a_film() {
     assert_eq!(triangles, 2 * 16 * 16 * film.complex.faces().len());
     assert!((mesh.area() / film.figures.area.value - 1.0).abs() < 1e-3);
     assert!(film.figures.area.value < without.figures.area.value);
+}
+
+/// Sides of a net with a layer are the loop that they make.
+#[test]
+fn four_sides_with_a_layer_are_a_film() {
+    let side = |points: [[f64; 3]; 3]| points.map(Point::from).to_vec();
+    let frame = TensorBoundary::new(
+        side([[-1., -1., 0.], [0., -1., -2.], [1., -1., 0.]]),
+        side([[-1., 1., 0.], [0., 1., -2.], [1., 1., 0.]]),
+        side([[-1., -1., 0.], [-1., 0., 2.], [-1., 1., 0.]]),
+        side([[1., -1., 0.], [1., 0., 2.], [1., 1., 0.]]),
+    );
+    let area = |layers| TensorInterior::LeastArea { tolerance: 1e-9, bound: true, layers };
+    let method = Method::tensor("a", Functions::Bernstein, area(1))
+        .and_then(|method| method.raised(2))
+        .expect("a method");
+    let done = solve(&Boundary::Tensor(frame.expect("sides")), &method, &Context::new(0)).expect("a surface");
+    let film = filled(Fill::default().with_degree(4).with_layers(1).with_bound(true), saddle());
+    let Surface::Complex(complex) = &done.solved.surface else { panic!("several patches") };
+    assert_eq!((complex.faces().len(), complex.degree()), (film.complex.faces().len(), 4));
+    assert!((done.figures.area.value / film.figures.area.value - 1.0).abs() < 1e-14);
+    assert!(done.bound.is_some_and(|bound| bound.value < SADDLE) && done.film.is_some());
+    let gt = plateau::FixedShape::new(surfaces::ShapedFamily::Gt, vec![1.0; 4]).expect("a shape");
+    assert_eq!(
+        Method::tensor(
+            "a",
+            Functions::Shaped(gt),
+            TensorInterior::LeastArea { tolerance: 1e-9, bound: false, layers: 1 }
+        ),
+        Err(MethodFault::Layers)
+    );
 }

@@ -7,7 +7,7 @@ use plateau::{
 };
 use surfaces::Point;
 
-const LEAST: TensorInterior = TensorInterior::LeastArea { tolerance: 1e-10, bound: false };
+const LEAST: TensorInterior = TensorInterior::LeastArea { tolerance: 1e-10, bound: false, layers: 0 };
 
 fn shaped(family: ShapedFamily) -> Functions {
     Functions::Shaped(FixedShape::new(family, vec![1.0; family.parameters().len()]).unwrap())
@@ -20,7 +20,7 @@ fn fault(functions: Functions, interior: TensorInterior) -> MethodFault {
 #[test]
 fn numbers_out_of_range() {
     for tolerance in [0.0, 1e-13, 0.1, f64::NAN] {
-        let area = TensorInterior::LeastArea { tolerance, bound: false };
+        let area = TensorInterior::LeastArea { tolerance, bound: false, layers: 0 };
         assert!(matches!(fault(Functions::Bernstein, area), MethodFault::Tolerance { .. }));
         let triangle = Method::triangle("a", TriangleInterior::LeastArea { tolerance });
         assert!(matches!(triangle, Err(MethodFault::Tolerance { .. })));
@@ -43,7 +43,7 @@ fn numbers_out_of_range() {
 
 #[test]
 fn what_does_not_fit_together() {
-    let bound = TensorInterior::LeastArea { tolerance: 1e-10, bound: true };
+    let bound = TensorInterior::LeastArea { tolerance: 1e-10, bound: true, layers: 0 };
     let separable = |energy| TensorInterior::Extremal { energy, solver: SolverChoice::Separable };
     for family in ShapedFamily::ALL {
         assert_eq!(fault(shaped(family), bound), MethodFault::Bound, "{family:?}");

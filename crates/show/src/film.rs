@@ -28,7 +28,7 @@ pub fn film_figures(film: &Film, rim: RimSource) -> Vec<(&'static str, String)> 
     }
     rows.push(("faces", faces(film)));
     if let Some(kink) = film.seams.kink {
-        let degrees = |angle: f64| Notation::Significant(2).of(angle.to_degrees());
+        let degrees = |angle| Notation::Degrees(2).of(angle);
         let text = format!("at most {}°, root mean square {}°", degrees(kink.max), degrees(kink.rms));
         rows.push(("kink", text));
     }

@@ -6,7 +6,7 @@ use surfaces::Point;
 use super::network::Network;
 use super::weld::MOST_WELDED;
 use super::{AssemblyError, Weld};
-use crate::CurveFile;
+use crate::{CurveFile, Kind};
 
 /// Most gaps that are named.
 const NAMED: usize = 4;
@@ -58,7 +58,12 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
         network.links[incidence[a][0]].curve == network.links[incidence[b][0]].curve
     };
     text += if pairs.iter().all(is_of_one) {
-        "repeat the first point of a curve at its end to close it"
+        match file.kind {
+            Kind::Table => {
+                "repeat the first point of a curve at its end to close it, or call the column of sides `ring`: then all are closed"
+            }
+            Kind::Obj | Kind::Step | Kind::Dxf => "repeat the first point of a curve at its end to close it",
+        }
     } else {
         "a side may be missing there"
     };

@@ -16,7 +16,7 @@ use row::{Row, Separator};
 /// The sides of a table, in the order of their first rows, points in the order of theirs. One separator (tab, semicolon, comma
 /// or blanks) divides the whole file; where it is no comma, decimals may have one. Columns are found by the heading, or stand as
 /// side, x, y, z. Lines that begin with # are passed over. A table without a column of sides is one loop, or one for each block
-/// between blank lines.
+/// between blank lines. A column called `ring` or `loop` names closed curves, which need not come back to their first point.
 pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
     let separator = Separator::of(text);
     let mut rows = row::rows(text, separator);
@@ -143,7 +143,12 @@ impl Sides {
                     format!("{side} has a single point; two are the least"),
                 ));
             }
-            curve.closes = is_nameless;
+            curve.closes = is_nameless || columns.are_rings;
+        }
+        if columns.are_rings {
+            notes.push(
+                "the curves of the table are rings: each is closed from its last point to its first".into(),
+            );
         }
         if is_nameless {
             let count = self.curves.len();

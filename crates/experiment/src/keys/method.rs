@@ -1,8 +1,8 @@
 //! `[[method]]`.
 
 use plateau::{
-    Energy, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchMode, ShapedFamily, SolverChoice,
-    TOLERANCES, TriangleMask,
+    DegreeLimit, Energy, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchMode, ShapedFamily,
+    SolverChoice, TOLERANCES, TriangleMask,
 };
 use serde_json::{Map, Value as Json, json};
 
@@ -35,7 +35,7 @@ pub(crate) enum Solver {
 }
 
 /// Highest degree of the patches of a surface over loops or faces: a face of degree p has 3(p − 1)² unknowns.
-const MOST_OF_A_COMPLEX: u64 = 24;
+const MOST_OF_A_COMPLEX: u64 = DegreeLimit::Patches.degree() as u64;
 
 /// A boundary of four sides, or of two opposite ones.
 pub(crate) const TENSOR: &str = "tensor";
@@ -264,7 +264,7 @@ pub(crate) static DEGREE: Key<Whole<usize>> = Key::new(
 pub(crate) static LAYERS: Key<Whole<usize>> =
     Key::new("layers", Whole::between(0, 1), "for energy = \"area\": layers of smaller patches around corners where the surface is not smooth, all but those of 180°/k between straight sides; without the key `accuracy` sets one where raising the degree gains little")
         .or("0")
-        .over(&[LOOPS]);
+        .over(&[TENSOR, LOOPS]);
 pub(crate) static ACCURACY: Key<Interval> = Key::new(
     "accuracy",
     Interval::between(1e-12, 1e-2),

@@ -5,8 +5,8 @@ use serde_spanned::Spanned;
 
 use super::boundary::{Kind, Sides};
 use crate::keys::method::{
-    BASIS, BOUND, CONSTRUCTION, Construction, DOMAIN, ENERGY, MASK, METRIC_STEPS, PATCH, RAISE, SEARCH,
-    SEARCH_ENERGY, SHAPE, SOLVER, Searched, Solver, TOLERANCE,
+    BASIS, BOUND, CONSTRUCTION, Construction, DOMAIN, ENERGY, LAYERS, MASK, METRIC_STEPS, PATCH, RAISE,
+    SEARCH, SEARCH_ENERGY, SHAPE, SOLVER, Searched, Solver, TOLERANCE,
 };
 use crate::text::{Given, Table};
 
@@ -28,6 +28,7 @@ pub(super) struct Draft<'t> {
     pub(super) solver: Given<Solver>,
     pub(super) tolerance: Given<f64>,
     pub(super) bound: Given<bool>,
+    pub(super) layers: Given<usize>,
 }
 
 impl<'t> Draft<'t> {
@@ -48,6 +49,7 @@ impl<'t> Draft<'t> {
             solver: table.take(&SOLVER),
             tolerance: table.take(&TOLERANCE),
             bound: table.take(&BOUND),
+            layers: table.take(&LAYERS),
             table,
         }
     }

@@ -208,6 +208,7 @@ impl Draft<'_> {
             DegreeLimit::Triangle | DegreeLimit::LeastArea | DegreeLimit::TriangularLeastArea => {
                 self.energy.span()
             }
+            DegreeLimit::Patches => self.layers.span(),
             DegreeLimit::MetricSteps => self.metric_steps.span(),
             DegreeLimit::Harmonic => self.construction.span(),
             DegreeLimit::OtherSearchEnergy => self.search_energy.span(),
@@ -228,6 +229,7 @@ impl Draft<'_> {
             DegreeLimit::LeastArea => {
                 "describe the sides with fewer control points (`plateau import --degree 6` fits them), or write energy = \"dirichlet\", which goes on to degree 64"
             }
+            DegreeLimit::Patches => "leave out `layers`: a single patch of least area goes on to degree 32",
             DegreeLimit::TriangularLeastArea => {
                 "describe the sides with fewer control points, or write mask = \"dirichlet\", which is sound at higher degrees"
             }

@@ -15,7 +15,7 @@ use super::expected::check::{Subject, wanted_of};
 use super::interior::Interior;
 use super::shape::Shape;
 use crate::diagnostic::shorten;
-use crate::keys::method::{BOUND, DOMAIN, NAME, SOLVER, Solver, TENSOR, TOLERANCE, TRIANGLE};
+use crate::keys::method::{BOUND, DOMAIN, LAYERS, NAME, SOLVER, Solver, TENSOR, TOLERANCE, TRIANGLE};
 use crate::text::{Given, Table};
 
 /// A method with its name, if that is sound; names are unique.
@@ -89,6 +89,7 @@ struct Settings {
     domain: ReferenceTriangle,
     tolerance: f64,
     bound: bool,
+    layers: usize,
 }
 
 impl Draft<'_> {
@@ -101,18 +102,28 @@ impl Draft<'_> {
         let solver = self.solver(family, interior.as_ref());
         let tolerance = self.tolerance(interior.as_ref());
         let bound = self.bound(family, interior.as_ref());
+        let layers = self.layers(family, interior.as_ref());
         let search_energy = match (&shape, &interior) {
             (Some(shape), Some(interior)) => self.search_energy(shape, interior),
             _ => None,
         };
         let domain = self.domain(interior.as_ref());
         let searched = matches!(shape, Some(Shape::Search(_)));
-        let subject =
-            family.filter(|_| shape.is_some()).map(|family| Subject::Patch { family, searched, interior });
+        let subject = match layers {
+            Some(1..) => Some(Subject::Film { least: Some(true) }),
+            Some(0) | None => {
+                family.filter(|_| shape.is_some()).map(|family| Subject::Patch { family, searched, interior })
+            }
+        };
         // What does not fit its boundary has been reported, and is not built to be refused again.
         let method = (|| {
-            let settings =
-                Settings { solver: solver?, domain: domain?, tolerance: tolerance?, bound: bound? };
+            let settings = Settings {
+                solver: solver?,
+                domain: domain?,
+                tolerance: tolerance?,
+                bound: bound?,
+                layers: layers?,
+            };
             let functions = functions(family?, shape?, search_energy?);
             fits.then(|| self.method(name?, (functions, interior?), &settings, raise?))?
         })();
@@ -212,6 +223,27 @@ impl Draft<'_> {
             return None;
         }
         self.table.or_default(&TOLERANCE, &self.tolerance)
+    }
+
+    /// How many layers of smaller patches there are around corners.
+    fn layers(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<usize> {
+        let wanted = self.table.or_default(&LAYERS, &self.layers)?;
+        // Over three sides the key itself is refused.
+        let span = self.layers.span().filter(|_| wanted > 0 && !self.is_triangle());
+        let (Some(span), Some(family), Some(interior)) = (span, family, interior) else {
+            return Some(wanted);
+        };
+        let why = match (family == Family::Bernstein, *interior == Interior::LeastArea) {
+            (true, true) => return Some(wanted),
+            (true, false) => "its interior is not of least area",
+            (false, _) => "its patch is no tensor patch in the Bernstein basis",
+        };
+        self.table.faults().clash(
+            (span, "needs energy = \"area\" in the Bernstein basis over four sides"),
+            format!("{} has `layers`, but {why}", self.table.name()),
+            "leave it out, or write energy = \"area\" and no `basis`",
+        );
+        None
     }
 
     /// Whether a lower bound is to be proved.
@@ -333,11 +365,11 @@ fn functions(family: Family, shape: Shape, energy: Energy) -> Functions {
 
 /// The interior of a tensor net; none for a mask of triangles, which has been reported.
 fn of_tensor(interior: Interior, settings: &Settings) -> Option<TensorInterior> {
-    let &Settings { solver, tolerance, bound, .. } = settings;
+    let &Settings { solver, tolerance, bound, layers, .. } = settings;
     Some(match interior {
         Interior::Extremal(energy) => TensorInterior::Extremal { energy, solver },
         Interior::MetricCorrections(steps) => TensorInterior::MetricCorrections { steps, solver },
-        Interior::LeastArea => TensorInterior::LeastArea { tolerance, bound },
+        Interior::LeastArea => TensorInterior::LeastArea { tolerance, bound, layers },
         Interior::Mask(TriangleMask::Symmetric(alpha)) => TensorInterior::Mask { alpha },
         Interior::Mask(TriangleMask::Dirichlet | TriangleMask::Coons) => return None,
         Interior::DiscreteCoons => TensorInterior::DiscreteCoons,

@@ -59,7 +59,9 @@ impl Fill {
             if degree > HIGHEST {
                 return Ok(Accurate { solution, estimate: Some(estimate), note });
             }
-            memory::holds(memory::of_faces(degree, solution.complex.faces().len()))?;
+            let faces = solution.complex.faces().len();
+            memory::holds(memory::of_faces(degree, faces))?;
+            progress.tell(&format!("({faces} patches of degree {degree})"));
             let raised = solution.complex.with_degree(degree)?;
             let (complex, found) = least_area_complex(&raised, &[], self.tolerance, progress)?;
             solution.seams = Seams::of(&complex)?;

@@ -278,7 +278,9 @@ impl Fill {
     pub(super) fn solved(&self, cut: &CutBoundary, progress: &dyn Progress) -> Result<Solution, MethodError> {
         let (complex, extremal) = match self.energy {
             FillEnergy::Area => {
-                memory::holds(memory::of_faces(cut.complex().degree(), cut.complex().faces().len()))?;
+                let (degree, faces) = (cut.complex().degree(), cut.complex().faces().len());
+                memory::holds(memory::of_faces(degree, faces))?;
+                progress.tell(&format!("({faces} patches of degree {degree})"));
                 let (complex, found) = least_area_complex(cut.complex(), &[], self.tolerance, progress)?;
                 (complex, Some(found))
             }

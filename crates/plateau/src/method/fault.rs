@@ -34,6 +34,9 @@ pub enum MethodFault {
     /// A lower bound of a family that has none.
     #[error("lower bounds are proved of least areas in Bernstein polynomials; these functions are others")]
     Bound,
+    /// Layers of patches in a family whose functions do not make several.
+    #[error("layers of smaller patches are made of Bernstein polynomials; these functions are others")]
+    Layers,
     /// The separable solver where nothing separates.
     #[error(
         "the separable solver serves Dirichlet extremals of one product of families: this system does not separate"

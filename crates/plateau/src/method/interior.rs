@@ -28,6 +28,9 @@ pub enum TensorInterior {
         tolerance: f64,
         /// Whether a lower bound is to be proved, for Bernstein polynomials.
         bound: bool,
+        /// Layers of smaller patches around corners, for Bernstein polynomials: with any the surface is a complex, as over loops, see
+        /// [`Fill::with_layers`](crate::Fill::with_layers).
+        layers: usize,
     },
     /// Each interior point a fixed combination of its eight neighbours: corner weight α, edge weight β with 4α + 4β = 1. The Coons mask is
     /// α = −1/4.

@@ -22,7 +22,7 @@ use crate::{Family, MAX_DEGREE, SearchMode};
 /// ```
 /// use plateau::{Functions, Method, TensorInterior};
 ///
-/// let method = Method::tensor("Least area", Functions::Bernstein, TensorInterior::LeastArea { tolerance: 1e-10, bound: false })?;
+/// let method = Method::tensor("Least area", Functions::Bernstein, TensorInterior::LeastArea { tolerance: 1e-10, bound: false, layers: 0 })?;
 /// assert_eq!(method.raised(3)?.raise(), 3);
 /// # Ok::<(), plateau::MethodFault>(())
 /// ```
@@ -82,10 +82,13 @@ impl Method {
                 return Err(MethodFault::NotSeparable);
             }
             TensorInterior::MetricCorrections { steps, .. } => admits_steps(steps)?,
-            TensorInterior::LeastArea { tolerance, bound } => {
+            TensorInterior::LeastArea { tolerance, bound, layers } => {
                 admits_tolerance(tolerance)?;
                 if bound && functions != Functions::Bernstein {
                     return Err(MethodFault::Bound);
+                }
+                if layers > 0 && functions != Functions::Bernstein {
+                    return Err(MethodFault::Layers);
                 }
             }
             TensorInterior::Mask { alpha } => admits_weight(alpha)?,
@@ -181,6 +184,9 @@ impl Method {
     #[must_use]
     pub fn family(&self) -> Family {
         match &self.filling {
+            Filling::Tensor { interior: TensorInterior::LeastArea { layers: 1.., .. }, .. } => {
+                Family::Complex
+            }
             Filling::Tensor { functions, .. } => functions.family(),
             Filling::Triangle(_) => Family::Triangle,
         }

@@ -101,7 +101,13 @@ pub(crate) const FIGURES: [Figure; 16] = [
         ..plain(Quantity::BoundaryDeviation)
     },
     Figure { heading: "rim", beneath: "moved by", rank: 6, ..plain(Quantity::RimDeviation) },
-    Figure { heading: "kink", beneath: "radians", rank: 6, ..plain(Quantity::Kink) },
+    Figure {
+        heading: "kink",
+        beneath: "degrees",
+        form: Notation::Degrees(2),
+        rank: 6,
+        ..plain(Quantity::Kink)
+    },
     Figure {
         heading: "each loop",
         beneath: "by itself",

@@ -6,6 +6,8 @@ use crate::curves::{CurveFileError, limits};
 /// Where the side and the coordinates stand in a row.
 pub(super) struct Columns {
     pub(super) side: Option<usize>,
+    /// Whether the heading calls the sides rings: each is closed from its last point to its first.
+    pub(super) are_rings: bool,
     /// x, y, z; without one it is 0.
     pub(super) coordinates: [Option<usize>; 3],
     /// Number of cells of a row.
@@ -17,6 +19,7 @@ pub(super) struct Columns {
 enum Role {
     Coordinate(usize),
     Side,
+    Ring,
 }
 
 /// Names of columns of sides.
@@ -25,8 +28,12 @@ const SIDES: [&str; 20] = [
     "segment", "seite", "kante", "kurve", "linie", "rand", "cote", "courbe",
 ];
 
+/// Names of columns of closed curves.
+const RINGS: [&str; 10] =
+    ["ring", "rings", "loop", "loops", "contour", "contours", "hoop", "schleife", "boucle", "anneau"];
+
 impl Role {
-    /// What a cell of a heading names: `x`, `X [mm]`, `point_x`, `pos.x`, `Xcoord`, `"Easting (m)"`; a side by any of its names.
+    /// What a cell of a heading names: `x`, `X [mm]`, `point_x`, `pos.x`, `Xcoord`, `"Easting (m)"`; a side or a closed curve by any of its names.
     fn of(cell: &str) -> Option<Self> {
         let cell = cell.to_lowercase();
         let cell = cell.split(['[', '(', '/', '{']).next().unwrap_or("");
@@ -45,6 +52,9 @@ impl Role {
         if let Some(k) = coordinate {
             return Some(Self::Coordinate(k));
         }
+        if words.iter().any(|word| RINGS.contains(word)) {
+            return Some(Self::Ring);
+        }
         words.iter().any(|word| SIDES.contains(word)).then_some(Self::Side)
     }
 }
@@ -56,7 +66,8 @@ impl Columns {
         first: Option<&Row<'_>>,
         notes: &mut Vec<String>,
     ) -> Result<Self, CurveFileError> {
-        let mut columns = Self { side: None, coordinates: [None; 3], count: heading.cells.len() };
+        let mut columns =
+            Self { side: None, are_rings: false, coordinates: [None; 3], count: heading.cells.len() };
         let roles: Vec<Option<Role>> = heading.cells.iter().map(|cell| Role::of(cell)).collect();
         for (place, role) in roles.iter().enumerate() {
             match role {
@@ -72,8 +83,10 @@ impl Columns {
                         ));
                     }
                 }
-                Some(Role::Side) if columns.side.is_none() => columns.side = Some(place),
-                Some(Role::Side) | None => {}
+                Some(role @ (Role::Side | Role::Ring)) if columns.side.is_none() => {
+                    (columns.side, columns.are_rings) = (Some(place), *role == Role::Ring);
+                }
+                Some(Role::Side | Role::Ring) | None => {}
             }
         }
         // No word of it is known: the columns stand in their usual order.
@@ -156,7 +169,7 @@ impl Columns {
         if coordinates[2].is_none() {
             notes.push("the rows have two coordinates: z = 0".into());
         }
-        Ok(Self { side, coordinates, count })
+        Ok(Self { side, are_rings: false, coordinates, count })
     }
 
     /// Why a row is not one of this table.
