@@ -13,7 +13,7 @@ const MAX_DEGREE: usize = 1000;
 /// `G_{k,n} = Σ_{j=0..2} B_{k−j,n−2}(t) G_{j,2}(t)`, which is what is evaluated here. θ1 acts at t = 0, θ2 at
 /// t = 1: a curve leaves with tangent `F'(0) = (n − 2 + θ1 π/4)(b₁ − b₀)`.
 ///
-/// Nonnegative exactly for 0 ≤ θ ≤ 4; independent unless both are 0. Accuracy: values within 8u absolutely
+/// Nonnegative for 0 ≤ θ ≤ 4, at degree 2 for no other shape ([`nonnegative_shapes`](crate::nonnegative_shapes())); independent unless both are 0. Accuracy: values within 8u absolutely
 /// (u = 2⁻⁵³), derivatives within 80u of the largest function of that order on the interval. Values at 0 and 1 are exact.
 ///
 /// ```

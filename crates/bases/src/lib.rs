@@ -30,7 +30,7 @@
 //!
 //! | noun | here |
 //! |---|---|
-//! | families | [`Basis`]; [`Bernstein`], [`Gt`], [`Aht`], [`At`]; [`GtParts`] affine in the shape; [`Stacked`] combinations; [`Nodal`] values at points |
+//! | families | [`Basis`]; [`Bernstein`], [`Gt`], [`Aht`], [`At`]; [`GtParts`] affine in the shape, [`nonnegative_shapes()`]; [`Stacked`] combinations; [`Nodal`] values at points |
 //! | functions that vanish at both ends | [`Lobatto`], [`GtBubbles`], [`GtBubbleParts`] affine in the shape |
 //! | integrals | [`GaussLegendre`], [`Samples`], [`gram()`] |
 //! | cutting a family in two | [`Subdivision`] |
@@ -47,6 +47,7 @@ mod error;
 mod gram;
 mod gt;
 mod gt_bubbles;
+mod gt_region;
 mod lobatto;
 mod matrix;
 mod nodal;
@@ -63,6 +64,7 @@ pub use error::BasisError;
 pub use gram::{Samples, gram};
 pub use gt::{Gt, GtParts};
 pub use gt_bubbles::{GtBubbleParts, GtBubbles};
+pub use gt_region::nonnegative_shapes;
 pub use lobatto::Lobatto;
 pub use matrix::Matrix;
 pub use nodal::Nodal;

@@ -4,8 +4,8 @@ use exchange::{DEFAULT_TOLERANCE, Format};
 use experiment::{Experiment, FilmExperiment, Options, Output, PatchExperiment, Plan, Rim, Template, run};
 use plateau::{
     Boundary, CurveBasis, Deformation, DeformationPath, Direction, Done, Energy, Family, FillEnergy, Filling,
-    FixedShape, Functional, Functions, Loop, Method, Quantity, Search, SearchMode, ShapedFamily,
-    SolverChoice, TensorInterior, TriangleInterior, TriangleMask, Variant,
+    FixedShape, Functional, Functions, Loop, Method, Quantity, Search, SearchEnergy, SearchMode,
+    ShapedFamily, SolverChoice, TensorInterior, TriangleInterior, TriangleMask, Variant,
 };
 
 /// The functions and the interior of a method over four sides.
@@ -17,7 +17,7 @@ fn tensor(method: &Method) -> (&Functions, TensorInterior) {
 }
 
 fn gt(mode: SearchMode, energy: Energy) -> Functions {
-    Functions::Searched { family: ShapedFamily::Gt, mode, energy }
+    Functions::Searched { family: ShapedFamily::Gt, mode, energy: energy.into() }
 }
 
 fn extremal(energy: Functional) -> TensorInterior {
@@ -168,10 +168,15 @@ fn what_a_search_minimises() {
         let text = format!("[[method]]\nname = \"a\"\nbasis = \"gt\"\nsearch = true\n{lines}\n");
         tensor(&methods(&text)[0]).0.searched().map(|(_, _, energy)| energy)
     };
-    assert_eq!(energy("energy = \"bending\""), Some(Energy::Quadratic(Functional::Bending)));
-    assert_eq!(energy("energy = \"bending\"\nsearch-energy = \"area\""), Some(Energy::Area));
-    assert_eq!(energy("construction = \"harmonic\""), Some(Energy::LAPLACIAN));
-    assert_eq!(energy("mask = 0.1\nsearch-energy = \"coons\""), Some(Energy::Quadratic(Functional::Coons)));
+    assert_eq!(energy("energy = \"bending\""), Some(Energy::Quadratic(Functional::Bending).into()));
+    assert_eq!(energy("energy = \"bending\"\nsearch-energy = \"area\""), Some(Energy::Area.into()));
+    let conformality = energy("energy = \"dirichlet\"\nsearch-energy = \"conformality\"");
+    assert_eq!(conformality, Some(SearchEnergy::Conformality));
+    assert_eq!(energy("construction = \"harmonic\""), Some(Energy::LAPLACIAN.into()));
+    assert_eq!(
+        energy("mask = 0.1\nsearch-energy = \"coons\""),
+        Some(Energy::Quadratic(Functional::Coons).into())
+    );
 }
 
 #[test]

@@ -7,7 +7,7 @@ use clap_complete::Shell;
 use plateau::DegreeLimit;
 use sweep::Asked;
 
-use crate::values::{Arithmetic, FamilyName, FileFormat, Kind, accuracy, pair, seconds, share};
+use crate::values::{Arithmetic, EnergyName, FamilyName, FileFormat, Kind, accuracy, pair, seconds, share};
 
 /// Patches of least energy and least area over a given boundary.
 ///
@@ -58,7 +58,7 @@ pub(crate) enum Command {
         /// The kind of experiment
         kind: Kind,
     },
-    /// Draw what the papers draw of their functions, as SVG
+    /// Draw what there is to see of the papers' functions, as SVG
     #[command(subcommand)]
     Draw(Drawing),
     /// Print a completion script for a shell
@@ -116,6 +116,35 @@ pub(crate) enum Drawing {
     Basis(BasisArguments),
     /// The geometric construction of the net of a helicoid over a trapezium, AT Theorems 1 to 3; by default that of AT Figure 6
     Construction(ConstructionArguments),
+    /// The condition number of the matrix of extremals in the GT basis over its shapes: a map of two slices, and how it grows with the degree
+    Conditioning(ConditioningArguments),
+    /// The shapes for which the GT functions of a degree are nonnegative
+    Region(RegionArguments),
+}
+
+/// What `draw conditioning` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ConditioningArguments {
+    /// Degree of the net in both directions
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(3..=plateau::Conditioning::MAX_DEGREE as i64))]
+    pub(crate) degree: u16,
+    /// The energy of the extremals
+    #[arg(long, value_name = "ENERGY", default_value = "dirichlet")]
+    pub(crate) energy: EnergyName,
+    /// The file to write; by default stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// What `draw region` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct RegionArguments {
+    /// Degree of the functions; may be given several times [default: 2, 3, 4, 6, 10]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=20))]
+    pub(crate) degree: Vec<u16>,
+    /// The file to write; by default stdout
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 /// What `draw construction` takes.
@@ -181,13 +210,13 @@ pub(crate) struct ImportArguments {
     #[arg(long, conflicts_with = "degree")]
     pub(crate) control_points: bool,
     /// Turn in degrees above which a polyline has a corner
-    #[arg(long, value_name = "DEG", default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
     pub(crate) corner_angle: f64,
     /// How far curves may pass from samples (a length); by default 1e-4 of the size
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
     /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) weld: Option<f64>,
 }
 
@@ -213,13 +242,13 @@ pub(crate) struct FillArguments {
     #[arg(long)]
     pub(crate) bound: bool,
     /// Turn in degrees above which a polyline has a corner
-    #[arg(long, value_name = "DEG", default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, default_value_t = exchange::AssemblyOptions::CORNER_ANGLE)]
     pub(crate) corner_angle: f64,
     /// How far the rim may pass from samples (a length); by default 1e-4 of the size
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
     /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) weld: Option<f64>,
     /// Subdivisions of each side of a patch in meshes
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(1..=100))]

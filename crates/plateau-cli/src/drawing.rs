@@ -8,7 +8,9 @@ use std::path::Path;
 use plateau::CurveBasis;
 use record::Destination;
 
-use crate::command::{BasisArguments, ConstructionArguments, Drawing};
+use crate::command::{
+    BasisArguments, ConditioningArguments, ConstructionArguments, Drawing, RegionArguments,
+};
 use crate::failure::Failure;
 use crate::terminal::say;
 use crate::values::FamilyName;
@@ -18,6 +20,8 @@ pub(crate) fn draw(drawing: &Drawing, stdout: &mut impl Write) -> Result<(), Fai
     let (picture, out) = match drawing {
         Drawing::Basis(arguments) => (basis(arguments), &arguments.out),
         Drawing::Construction(arguments) => (construction(arguments), &arguments.out),
+        Drawing::Conditioning(arguments) => (conditioning(arguments), &arguments.out),
+        Drawing::Region(arguments) => (region(arguments), &arguments.out),
     };
     let picture = picture.map_err(|why| refused(&why))?;
     match out {
@@ -44,6 +48,18 @@ fn construction(arguments: &ConstructionArguments) -> Result<String, String> {
     let span = arguments.span.unwrap_or(1.25 * PI);
     let (gamma, beta) = (arguments.gamma.unwrap_or([TAU, 2.0 * TAU]), arguments.beta.unwrap_or([1.0, 1.0]));
     show::construction(span, gamma, beta).map_err(|error| error.to_string())
+}
+
+fn conditioning(arguments: &ConditioningArguments) -> Result<String, String> {
+    show::conditioning(arguments.energy.0, arguments.degree.into()).map_err(|error| error.to_string())
+}
+
+fn region(arguments: &RegionArguments) -> Result<String, String> {
+    let degrees: Vec<usize> = match arguments.degree.as_slice() {
+        [] => vec![2, 3, 4, 6, 10],
+        given => given.iter().map(|&degree| degree.into()).collect(),
+    };
+    show::nonnegativity_region(&degrees).map_err(|error| error.to_string())
 }
 
 fn basis(arguments: &BasisArguments) -> Result<String, String> {

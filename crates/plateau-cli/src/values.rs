@@ -50,6 +50,29 @@ pub(crate) enum FamilyName {
     At,
 }
 
+/// A quadratic energy by its name.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EnergyName(pub(crate) plateau::Functional);
+
+impl ValueEnum for EnergyName {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ENERGIES: [EnergyName; plateau::Functional::ALL.len()] = {
+            let mut energies = [EnergyName(plateau::Functional::ALL[0]); plateau::Functional::ALL.len()];
+            let mut k = 0;
+            while k < energies.len() {
+                energies[k] = EnergyName(plateau::Functional::ALL[k]);
+                k += 1;
+            }
+            energies
+        };
+        &ENERGIES
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.0.name()))
+    }
+}
+
 /// A file format by its name.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FileFormat(pub(crate) exchange::Format);

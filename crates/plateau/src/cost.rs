@@ -102,7 +102,8 @@ mod tests {
     #[test]
     fn a_swarm_costs_hundreds_of_times_what_descents_do_and_no_search_nothing() {
         let of = |functions| method(functions, 0).cost((3, 3), &Search::default()).expect("a least area");
-        let searched = |mode| Functions::Searched { family: ShapedFamily::Gt, mode, energy: Energy::Area };
+        let searched =
+            |mode| Functions::Searched { family: ShapedFamily::Gt, mode, energy: Energy::Area.into() };
         let fixed = FixedShape::new(ShapedFamily::Gt, vec![1.0; 4]).expect("a shape");
         let one = of(Functions::Shaped(fixed));
         let [polish, swarm] = [SearchMode::Polish, SearchMode::Pso].map(|mode| of(searched(mode)));

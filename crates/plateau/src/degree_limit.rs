@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::{Energy, Filling, Functions, Method, TensorInterior, TriangleInterior};
+use crate::{Energy, Filling, Functions, Method, SearchEnergy, TensorInterior, TriangleInterior};
 
 /// What is offered to a lower degree than [`MAX_DEGREE`](crate::MAX_DEGREE). Where its system is solved in control points, their condition is beyond
 /// double precision at the next degrees, whatever the boundary; least areas would besides take minutes and gigabytes to say so.
@@ -67,15 +67,18 @@ impl Method {
 }
 
 fn limit_of_tensor(functions: &Functions, interior: TensorInterior) -> Option<DegreeLimit> {
+    let sought = functions.searched().map(|(_, _, sought)| sought);
     match interior {
         TensorInterior::LeastArea { layers: 1.., .. } => Some(DegreeLimit::Patches),
         TensorInterior::LeastArea { .. } => Some(DegreeLimit::LeastArea),
         TensorInterior::MetricCorrections { .. } => Some(DegreeLimit::MetricSteps),
         TensorInterior::Harmonic => Some(DegreeLimit::Harmonic),
         TensorInterior::Extremal { energy, .. } => {
-            let other = functions.searched().is_some_and(|(_, _, for_)| for_ != Energy::Quadratic(energy));
-            other.then_some(DegreeLimit::OtherSearchEnergy)
+            let own = SearchEnergy::Energy(Energy::Quadratic(energy));
+            sought.is_some_and(|sought| sought != own).then_some(DegreeLimit::OtherSearchEnergy)
         }
-        TensorInterior::Mask { .. } | TensorInterior::DiscreteCoons => None,
+        TensorInterior::Mask { .. } | TensorInterior::DiscreteCoons => {
+            (sought == Some(SearchEnergy::Conformality)).then_some(DegreeLimit::OtherSearchEnergy)
+        }
     }
 }

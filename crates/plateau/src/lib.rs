@@ -35,7 +35,7 @@
 //! | noun | here |
 //! |---|---|
 //! | boundaries | [`Boundary`]: [`TensorBoundary`], [`OppositeSides`] in a [`Direction`], [`TriangleBoundary`]; [`Corner`], [`Gap`], [`BoundaryError`], [`Degeneracy`]; [`MAX_DEGREE`], [`MAX_COORDINATE`], [`MIN_SIZE`] |
-//! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`]; [`Energy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
+//! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`], [`Conditioning`], [`nonnegative_shapes()`]; [`Energy`], [`SearchEnergy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
 //! | numbers for people | [`Notation`], [`counted()`] |
 //! | running one | [`Context`], [`Arithmetic`], [`MethodError`] |
 //! | searches | [`Search`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
@@ -56,6 +56,7 @@ mod arithmetic;
 mod boundary;
 mod boundary_figures;
 mod closed_form;
+mod conditioning;
 mod context;
 mod corners;
 mod cost;
@@ -95,12 +96,14 @@ mod trust;
 mod warning;
 
 pub use arithmetic::Arithmetic;
+pub use bases::nonnegative_shapes;
 pub use boundary::{
     Boundary, BoundaryError, Corner, Direction, Gap, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE, OppositeSides,
     TensorBoundary, TriangleBoundary,
 };
 pub use boundary_figures::BoundaryFigures;
 pub use closed_form::ClosedForm;
+pub use conditioning::Conditioning;
 pub use context::Context;
 pub use corners::odd_corners;
 pub use cost::Cost;
@@ -130,8 +133,8 @@ pub use least_area::{
 };
 pub use lower_bound::{CalibratedFace, Competitors, LowerBound, NoBound, lower_bound, lower_bound_of_net};
 pub use method::{
-    Energy, Filling, FixedShape, Functions, MAX_METRIC_STEPS, Method, MethodFault, SolverChoice, TOLERANCES,
-    TensorInterior, TriangleInterior,
+    Energy, Filling, FixedShape, Functions, MAX_METRIC_STEPS, Method, MethodFault, SearchEnergy,
+    SolverChoice, TOLERANCES, TensorInterior, TriangleInterior,
 };
 pub use nearest_curve::{NearestCurve, NearestCurveError};
 pub use number::{Notation, counted};

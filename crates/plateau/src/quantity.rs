@@ -4,7 +4,7 @@ use std::fmt;
 
 use energy::{Functional, Integral};
 
-use crate::{Done, Energy};
+use crate::{Done, Energy, SearchEnergy};
 
 /// The value of a figure, with its error if it has one of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,7 +126,8 @@ quantities! {
         |done, _| done.film.as_ref()?.one_by_one.map(Into::into);
     Shape[k] = "shape", "shape", 0, "the shape parameters: one number for all of them, or a list",
         |done, index| done.solved.shape.as_ref().and_then(|shape| shape.get(index).copied()).map(Into::into);
-    SearchMinimum = "search-minimum", "search.minimum", 2, "the least best value of the search's runs",
+    SearchMinimum = "search-minimum", "search.minimum", 2,
+        "the least best value of the search's runs; of energies length²",
         |done, _| done.solved.search.as_ref().map(|search| search.minimum.into());
     Curvature[k] = "curvature", "curvature", -1,
         "the curvature of a curve at its samples: one number for all, or a list; signed for planar curves", |_, _| None;
@@ -142,6 +143,15 @@ impl Quantity {
             Energy::Quadratic(Functional::Laplacian) => Self::LaplacianDefect,
             Energy::Quadratic(Functional::Bending) => Self::Bending,
             Energy::Quadratic(Functional::Coons) => Self::CoonsFunctional,
+        }
+    }
+
+    /// The figure that is the value of what a search minimises.
+    #[must_use]
+    pub const fn of_search(energy: SearchEnergy) -> Self {
+        match energy {
+            SearchEnergy::Energy(energy) => Self::of_energy(energy),
+            SearchEnergy::Conformality => Self::ConformalityGap,
         }
     }
 

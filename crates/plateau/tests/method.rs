@@ -72,7 +72,7 @@ fn what_a_method_says_of_itself() {
             Energy::Area => LEAST,
         };
         for family in ShapedFamily::ALL {
-            let functions = Functions::Searched { family, mode: SearchMode::Polish, energy };
+            let functions = Functions::Searched { family, mode: SearchMode::Polish, energy: energy.into() };
             let method = Method::tensor("row", functions, interior).unwrap().raised(2).unwrap();
             assert_eq!((method.name(), method.raise()), ("row", 2));
             assert_eq!((method.minimised(), method.family()), (Some(energy), Family::Shaped(family)));

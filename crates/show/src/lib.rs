@@ -2,7 +2,7 @@
 //!
 //! [`table()`] prints the figures of [`Results`](plateau::Results). A [`Scene`] samples their surfaces once, in one frame and
 //! on one scale; [`pictures()`] draws it as SVG, [`page()`] as one HTML file that needs nothing but itself. [`basis_functions`] draws the functions
-//! of a basis, [`construction()`] how a helicoid's net is constructed, [`multiples()`] a figure of many experiments, and [`study_page()`] is their page.
+//! of a basis, [`construction()`] how a helicoid's net is constructed, [`conditioning()`] and [`nonnegativity_region()`] the shapes of the GT family, [`multiples()`] a figure of many experiments, and [`study_page()`] is their page.
 //! [`Printable`] makes text from outside fit for a terminal.
 //!
 //! # What is here
@@ -10,7 +10,7 @@
 //! | noun | here |
 //! |---|---|
 //! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`]; [`film_figures()`] with a [`RimSource`] |
-//! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`by_mean_curvature()`] |
+//! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`construction()`], [`conditioning()`], [`nonnegativity_region()`], [`by_mean_curvature()`] |
 //! | studies | [`Study`], [`StudyRow`]s, [`Multiples`] of [`Panel`]s |
 //! | the page | [`page()`], [`About`]; [`Comparison`], [`Verdict`] |
 //! | text on a terminal | [`Printable`], [`stand_ins()`], [`width_of_names()`] |
@@ -29,7 +29,10 @@ mod table;
 pub use curvature_colours::by_mean_curvature;
 pub use film::{RimSource, film_figures};
 pub use page::{About, Comparison, Study, StudyRow, Verdict, page, study_page};
-pub use picture::{Multiples, PICTURES, Panel, Picture, basis_functions, construction, multiples, pictures};
+pub use picture::{
+    Multiples, PICTURES, Panel, Picture, basis_functions, conditioning, construction, multiples,
+    nonnegativity_region, pictures,
+};
 pub use printable::{Printable, stand_ins, width_of_names};
 pub use scene::Scene;
 pub use table::{Cells, Column, WIDTH, grid, table};

@@ -99,8 +99,10 @@ pub(crate) fn plots(merged: &Merged) -> Multiples {
 }
 
 fn unit(key: &str) -> String {
+    let found = Quantity::ALL.iter().find(|quantity| quantity.key() == key);
+    // What a search minimises may have no unit.
     let power =
-        Quantity::ALL.iter().find(|quantity| quantity.key() == key).map_or(0, |quantity| quantity.power());
+        found.filter(|&&quantity| quantity != Quantity::SearchMinimum).map_or(0, |quantity| quantity.power());
     match power {
         0 => String::new(),
         1 => " (length)".to_owned(),

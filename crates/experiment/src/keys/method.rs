@@ -1,8 +1,8 @@
 //! `[[method]]`.
 
 use plateau::{
-    DegreeLimit, Energy, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchMode, ShapedFamily,
-    SolverChoice, TOLERANCES, TriangleMask,
+    DegreeLimit, Energy, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchEnergy, SearchMode,
+    ShapedFamily, SolverChoice, TOLERANCES, TriangleMask,
 };
 use serde_json::{Map, Value as Json, json};
 
@@ -181,8 +181,8 @@ pub(crate) static SEARCH: Key<Searching> = Key::new(
     "search",
     Searching,
     "whether the shape parameters are tuned by [search], and how: \"pso-polish\" is a swarm and then descent from each run's best, \
-     \"pso\" the swarm alone, \"polish\" descents from random starts; `true` is \"polish\" for energy = \"area\", where every shape costs a least area, \
-     else \"pso-polish\"",
+     \"pso\" the swarm alone, \"polish\" descents from random starts; `true` is \"polish\" for energy = \"area\", where every shape costs a least area, and for \
+     search-energy = \"conformality\", else \"pso-polish\"",
 )
 .or("false")
 .such_as("\"pso\"")
@@ -229,10 +229,10 @@ pub(crate) static CONSTRUCTION: Key<Name<Construction>> = Key::new(
 )
 .such_as("\"discrete-coons\"")
 .over(NETS);
-pub(crate) static SEARCH_ENERGY: Key<Name<Energy>> = Key::new(
+pub(crate) static SEARCH_ENERGY: Key<Name<SearchEnergy>> = Key::new(
     "search-energy",
-    Name(&Energy::NAMED),
-    "what the shape parameters minimise; left out, it is `energy`, and \"laplacian\" for harmonic nets",
+    Name(&SearchEnergy::NAMED),
+    "what the shape parameters minimise, \"conformality\" being (D − A)/A; left out, it is `energy`, and \"laplacian\" for harmonic nets",
 )
 .such_as("\"dirichlet\"")
 .over(&[TENSOR]);

@@ -1,6 +1,6 @@
 //! One `[[method]]` under check.
 
-use plateau::{Energy, ReferenceTriangle, ShapedFamily, TriangleMask};
+use plateau::{Energy, ReferenceTriangle, SearchEnergy, ShapedFamily, TriangleMask};
 use serde_spanned::Spanned;
 
 use super::boundary::{Kind, Sides};
@@ -24,7 +24,7 @@ pub(super) struct Draft<'t> {
     pub(super) metric_steps: Given<usize>,
     pub(super) mask: Given<TriangleMask>,
     pub(super) construction: Given<Construction>,
-    pub(super) search_energy: Given<Energy>,
+    pub(super) search_energy: Given<SearchEnergy>,
     pub(super) solver: Given<Solver>,
     pub(super) tolerance: Given<f64>,
     pub(super) bound: Given<bool>,

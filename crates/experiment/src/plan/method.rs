@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use plateau::{
-    Energy, Family, Functional, Functions, Method, MethodFault, ReferenceTriangle, ShapedFamily,
-    SolverChoice, TensorInterior, TriangleInterior, TriangleMask,
+    Energy, Family, Functional, Functions, Method, MethodFault, ReferenceTriangle, SearchEnergy,
+    ShapedFamily, SolverChoice, TensorInterior, TriangleInterior, TriangleMask,
 };
 
 use super::Wanted;
@@ -321,7 +321,7 @@ impl Draft<'_> {
         None
     }
 
-    fn search_energy(&self, shape: &Shape, interior: &Interior) -> Option<Energy> {
+    fn search_energy(&self, shape: &Shape, interior: &Interior) -> Option<SearchEnergy> {
         let natural = match interior {
             Interior::Extremal(energy) => Some(Energy::Quadratic(*energy)),
             Interior::MetricCorrections(_) => Some(Energy::DIRICHLET),
@@ -349,13 +349,13 @@ impl Draft<'_> {
                 );
                 None
             }
-            Given::Absent => Some(natural.unwrap_or(Energy::DIRICHLET)),
+            Given::Absent => Some(natural.unwrap_or(Energy::DIRICHLET).into()),
         }
     }
 }
 
 /// The functions of a tensor patch; of a triangle, which has one kind, they are not asked for.
-fn functions(family: Family, shape: Shape, energy: Energy) -> Functions {
+fn functions(family: Family, shape: Shape, energy: SearchEnergy) -> Functions {
     match (family, shape) {
         (Family::Shaped(family), Shape::Search(mode)) => Functions::Searched { family, mode, energy },
         (_, Shape::Fixed(shape)) => Functions::Shaped(shape),

@@ -1,6 +1,6 @@
 //! Shape parameters: given, searched, or none.
 
-use plateau::{Energy, Family, FixedShape, SearchMode, ShapedFamily};
+use plateau::{Energy, Family, FixedShape, SearchEnergy, SearchMode, ShapedFamily};
 use serde_spanned::Spanned;
 
 use super::draft::Draft;
@@ -37,11 +37,13 @@ impl Draft<'_> {
         }
     }
 
-    /// A swarm where a shape costs a linear system; descents alone, a hundredth of the shapes, where it costs a least area.
+    /// A swarm where a shape costs a linear system; descents alone, a hundredth of the shapes, where it costs a least area, or a gap.
     fn suitable(&self) -> SearchMode {
-        match self.energy.value() {
-            Some(Energy::Area) => SearchMode::Polish,
-            Some(Energy::Quadratic(_)) | None => SearchMode::PsoPolish,
+        match (self.energy.value(), self.search_energy.value()) {
+            (Some(Energy::Area), _) | (_, Some(SearchEnergy::Conformality)) => SearchMode::Polish,
+            (Some(Energy::Quadratic(_)) | None, Some(SearchEnergy::Energy(_)) | None) => {
+                SearchMode::PsoPolish
+            }
         }
     }
 

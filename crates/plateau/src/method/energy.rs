@@ -28,3 +28,31 @@ impl Energy {
         named
     };
 }
+
+/// What the shape parameters of a family may be searched for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SearchEnergy {
+    /// An energy of the patch.
+    Energy(Energy),
+    /// (D − A)/A of the patch, 0 exactly for conformal charts: no energy of an interior, because charts of one surface differ in it.
+    Conformality,
+}
+
+impl SearchEnergy {
+    /// Each with its word, the energies first.
+    pub const NAMED: [(&'static str, Self); Energy::NAMED.len() + 1] = {
+        let mut named = [("conformality", Self::Conformality); Energy::NAMED.len() + 1];
+        let mut k = 0;
+        while k < Energy::NAMED.len() {
+            named[k] = (Energy::NAMED[k].0, Self::Energy(Energy::NAMED[k].1));
+            k += 1;
+        }
+        named
+    };
+}
+
+impl From<Energy> for SearchEnergy {
+    fn from(energy: Energy) -> Self {
+        Self::Energy(energy)
+    }
+}

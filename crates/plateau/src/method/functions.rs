@@ -2,7 +2,7 @@
 
 use surfaces::{Net, ShapedFamily, SurfaceError, TensorPatch};
 
-use super::Energy;
+use super::SearchEnergy;
 use crate::{Family, SearchMode};
 
 /// The functions that weigh the control points of a tensor net.
@@ -19,7 +19,7 @@ pub enum Functions {
         /// How it is searched.
         mode: SearchMode,
         /// What the shape minimises, which need not be the energy of the extremal.
-        energy: Energy,
+        energy: SearchEnergy,
     },
 }
 
@@ -82,7 +82,7 @@ impl Functions {
 
     /// What is searched and what for, if anything is.
     #[must_use]
-    pub fn searched(&self) -> Option<(ShapedFamily, SearchMode, Energy)> {
+    pub fn searched(&self) -> Option<(ShapedFamily, SearchMode, SearchEnergy)> {
         match self {
             Self::Bernstein | Self::Shaped(_) => None,
             Self::Searched { family, mode, energy } => Some((*family, *mode, *energy)),

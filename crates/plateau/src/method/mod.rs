@@ -5,7 +5,7 @@ mod fault;
 mod functions;
 mod interior;
 
-pub use energy::Energy;
+pub use energy::{Energy, SearchEnergy};
 pub use fault::{MethodFault, TOLERANCES};
 pub(crate) use functions::patch_of;
 pub use functions::{FixedShape, Functions};

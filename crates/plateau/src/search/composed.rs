@@ -7,7 +7,7 @@ use solve::{Cholesky, Partition, solve_partitioned};
 use surfaces::{Net, ShapedFamily, TensorPatch};
 
 use super::least_area::{LeastArea, derivatives};
-use crate::{Energy, MethodError};
+use crate::{Energy, MethodError, SearchEnergy};
 
 /// `F(x(α), α)`, where x(α) minimises another energy E over the free points at shape α: what a search asks whose energy is not
 /// that of the extremal.
@@ -32,12 +32,34 @@ pub(super) enum Inner<'a> {
 enum Outer {
     Quadratic(ShapeForm),
     Area,
+    /// (D − A)/A, with the form of D.
+    Conformality(ShapeForm),
 }
 
 /// The net of the extremal at one shape, and the matrix Q there, over all points.
 struct Extremal {
     patch: TensorPatch,
     matrix: Matrix,
+}
+
+/// A value with its derivatives by the points, and by the coordinates of the shape with the points held.
+struct Varied {
+    value: f64,
+    by_points: Vec<f64>,
+    held: [f64; 4],
+}
+
+impl Varied {
+    /// Its excess over another value, as a share of that.
+    fn over(self, other: &Self) -> Self {
+        let ratio = self.value / other.value;
+        let by = |a: f64, b: f64| (a - ratio * b) / other.value;
+        Self {
+            value: ratio - 1.0,
+            by_points: self.by_points.iter().zip(&other.by_points).map(|(a, b)| by(*a, *b)).collect(),
+            held: std::array::from_fn(|k| by(self.held[k], other.held[k])),
+        }
+    }
 }
 
 /// Half the distance of the two shapes whose values make a derivative where there is no formula for it.
@@ -58,11 +80,14 @@ impl<'a> Composed<'a> {
         net: &Net,
         family: ShapedFamily,
         inner: Inner<'a>,
-        outer: Energy,
+        outer: SearchEnergy,
     ) -> Result<Self, MethodError> {
         let outer = match outer {
-            Energy::Quadratic(functional) => Outer::Quadratic(form(functional, family, net)?),
-            Energy::Area => Outer::Area,
+            SearchEnergy::Energy(Energy::Quadratic(functional)) => {
+                Outer::Quadratic(form(functional, family, net)?)
+            }
+            SearchEnergy::Energy(Energy::Area) => Outer::Area,
+            SearchEnergy::Conformality => Outer::Conformality(form(Functional::Dirichlet, family, net)?),
         };
         Ok(Self { net: net.clone(), family, inner, outer })
     }
@@ -78,12 +103,34 @@ impl<'a> Composed<'a> {
 
     /// F of a patch at a shape.
     fn outer_value(&self, patch: &TensorPatch, shape: &[f64]) -> Result<f64, MethodError> {
+        let quadratic = |form: &ShapeForm| -> Result<f64, MethodError> {
+            let x = patch.net().coordinates();
+            Ok(dot(&x, &applied(&form.matrix(self.family.coordinates(shape)?), &x)))
+        };
         Ok(match &self.outer {
-            Outer::Quadratic(form) => {
-                let x = patch.net().coordinates();
-                dot(&x, &applied(&form.matrix(self.family.coordinates(shape)?), &x))
-            }
+            Outer::Quadratic(form) => quadratic(form)?,
             Outer::Area => energy::area(patch)?.value,
+            Outer::Conformality(dirichlet) => quadratic(dirichlet)? / energy::area(patch)?.value - 1.0,
+        })
+    }
+
+    /// F of a patch at the coordinates of a shape, with its derivatives.
+    fn outer_varied(&self, patch: &TensorPatch, at: [f64; 4]) -> Result<Varied, MethodError> {
+        let quadratic = |form: &ShapeForm| {
+            let x = patch.net().coordinates();
+            let image = applied(&form.matrix(at), &x);
+            let held = std::array::from_fn(|k| dot(&x, &applied(&form.derivative(at, k), &x)));
+            Varied { value: dot(&x, &image), by_points: image.iter().map(|c| 2.0 * c).collect(), held }
+        };
+        let area = || -> Result<Varied, MethodError> {
+            let (area, by_points) = area_with_gradient(patch)?;
+            let held = derivatives(self.family, patch, area.points)?;
+            Ok(Varied { value: area.value, by_points, held })
+        };
+        Ok(match &self.outer {
+            Outer::Quadratic(form) => quadratic(form),
+            Outer::Area => area()?,
+            Outer::Conformality(dirichlet) => quadratic(dirichlet).over(&area()?),
         })
     }
 
@@ -105,18 +152,7 @@ impl<'a> Composed<'a> {
     fn by_adjoint(&self, form: &ShapeForm, shape: &[f64]) -> Result<(f64, Vec<f64>), MethodError> {
         let Extremal { patch, matrix } = self.extremal(form, shape)?;
         let (x, at) = (patch.net().coordinates(), self.family.coordinates(shape)?);
-        // The value, its derivatives by the points, and by the shape with the points held.
-        let (value, by_points, held) = match &self.outer {
-            Outer::Quadratic(outer) => {
-                let image = applied(&outer.matrix(at), &x);
-                let held = std::array::from_fn(|k| dot(&x, &applied(&outer.derivative(at, k), &x)));
-                (dot(&x, &image), image.iter().map(|c| 2.0 * c).collect(), held)
-            }
-            Outer::Area => {
-                let (area, gradient) = area_with_gradient(&patch)?;
-                (area.value, gradient, derivatives(self.family, &patch, area.points)?)
-            }
-        };
+        let Varied { value, by_points, held } = self.outer_varied(&patch, at)?;
         let partition = Partition::new(self.net.fixed());
         let free = partition.free();
         let rhs: Vec<f64> = free.iter().flat_map(|&k| by_points[3 * k..3 * k + 3].to_vec()).collect();
@@ -207,7 +243,7 @@ mod tests {
         .expect("a sound boundary")
     }
 
-    fn composed(family: ShapedFamily, inner: Energy, outer: Energy) -> Composed<'static> {
+    fn composed(family: ShapedFamily, inner: Energy, outer: impl Into<SearchEnergy>) -> Composed<'static> {
         let net = net();
         let inner = match inner {
             Energy::Quadratic(functional) => {
@@ -215,7 +251,7 @@ mod tests {
             }
             Energy::Area => Inner::Area(LeastArea::new(&net, family, 1e-11, &())),
         };
-        Composed::new(&net, family, inner, outer).expect("offered")
+        Composed::new(&net, family, inner, outer.into()).expect("offered")
     }
 
     #[test]
@@ -223,13 +259,15 @@ mod tests {
         let shape = [0.7, 1.9, 1.2, 2.6];
         for family in ShapedFamily::ALL {
             for (inner, outer) in [
-                (Energy::Quadratic(Functional::Dirichlet), Energy::Quadratic(Functional::Laplacian)),
-                (Energy::Quadratic(Functional::Bending), Energy::Quadratic(Functional::Dirichlet)),
-                (Energy::Quadratic(Functional::Laplacian), Energy::Area),
-                (Energy::Quadratic(Functional::Dirichlet), Energy::Area),
-                (Energy::Quadratic(Functional::Coons), Energy::Quadratic(Functional::Bending)),
+                (Functional::Dirichlet, Energy::Quadratic(Functional::Laplacian).into()),
+                (Functional::Bending, Energy::Quadratic(Functional::Dirichlet).into()),
+                (Functional::Laplacian, Energy::Area.into()),
+                (Functional::Dirichlet, Energy::Area.into()),
+                (Functional::Coons, Energy::Quadratic(Functional::Bending).into()),
+                (Functional::Dirichlet, SearchEnergy::Conformality),
+                (Functional::Bending, SearchEnergy::Conformality),
             ] {
-                let composed = composed(family, inner, outer);
+                let composed = composed(family, Energy::Quadratic(inner), outer);
                 let (value, gradient) = composed.gradient(&shape).expect("solvable");
                 assert_eq!(value, composed.value(&shape).expect("solvable"));
                 let scale = gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs()));

@@ -2,13 +2,17 @@
 
 use optim::Polished;
 
+use crate::SearchEnergy;
+
 /// What a search found.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SearchOutcome {
+    /// What was minimised.
+    pub energy: SearchEnergy,
     /// The best shape of all runs.
     pub shape: Vec<f64>,
-    /// The reduced energy there.
+    /// Its value there.
     pub minimum: f64,
     /// Evaluations of the reduced energy, those of the polish included.
     pub evaluations: u64,

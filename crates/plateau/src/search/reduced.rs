@@ -11,7 +11,7 @@ use super::least_area::LeastArea;
 use super::minima::Minima;
 use super::reduced_energy::ReducedEnergy;
 use crate::interior::extremal::prefers_separable;
-use crate::{Arithmetic, Energy, MethodError, Progress, SolverChoice, TensorInterior};
+use crate::{Arithmetic, Energy, MethodError, Progress, SearchEnergy, SolverChoice, TensorInterior};
 
 /// J of a method over a net; the gradient comes with the solve, by the envelope theorem.
 pub(super) enum Reduced<'a> {
@@ -39,7 +39,7 @@ const PARAMETRIC_TO: usize = 12;
 impl<'a> Reduced<'a> {
     pub(super) fn new(
         net: &Net,
-        (family, energy): (ShapedFamily, Energy),
+        (family, energy): (ShapedFamily, SearchEnergy),
         interior: TensorInterior,
         arithmetic: Arithmetic,
         progress: &'a dyn Progress,
@@ -47,14 +47,14 @@ impl<'a> Reduced<'a> {
         let area = |tolerance| LeastArea::new(net, family, tolerance, progress);
         let composed = |inner| Ok(Self::Composed(Box::new(Composed::new(net, family, inner, energy)?)));
         match interior {
-            TensorInterior::LeastArea { tolerance, .. } if energy == Energy::Area => {
+            TensorInterior::LeastArea { tolerance, .. } if energy == Energy::Area.into() => {
                 return Ok(Self::Area(Box::new(area(tolerance))));
             }
             TensorInterior::LeastArea { tolerance, .. } => return composed(Inner::Area(area(tolerance))),
-            TensorInterior::Extremal { energy: inner, .. } if energy != Energy::Quadratic(inner) => {
+            TensorInterior::Extremal { energy: inner, .. } if energy != Energy::Quadratic(inner).into() => {
                 return composed(Inner::Quadratic(form(inner, family, net)?));
             }
-            TensorInterior::MetricCorrections { .. } if energy != Energy::DIRICHLET => {
+            TensorInterior::MetricCorrections { .. } if energy != Energy::DIRICHLET.into() => {
                 return composed(Inner::Quadratic(form(Functional::Dirichlet, family, net)?));
             }
             TensorInterior::Extremal { .. }
@@ -64,9 +64,13 @@ impl<'a> Reduced<'a> {
             | TensorInterior::Harmonic => {}
         }
         match energy {
-            Energy::Area => Ok(Self::Area(Box::new(area(TOLERANCE)))),
-            Energy::Quadratic(functional) => {
+            SearchEnergy::Energy(Energy::Area) => Ok(Self::Area(Box::new(area(TOLERANCE)))),
+            SearchEnergy::Energy(Energy::Quadratic(functional)) => {
                 Self::quadratic(net, family, functional, interior.solver(), arithmetic)
+            }
+            // Here all points are given: any form would do.
+            SearchEnergy::Conformality => {
+                composed(Inner::Quadratic(form(Functional::Dirichlet, family, net)?))
             }
         }
     }

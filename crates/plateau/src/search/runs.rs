@@ -8,7 +8,7 @@ use surfaces::{Net, ShapedFamily};
 
 use super::reduced::Reduced;
 use super::{SearchMode, SearchOutcome, SearchRun, Variant};
-use crate::{Context, Energy, MethodError, TensorInterior};
+use crate::{Context, MethodError, SearchEnergy, TensorInterior};
 
 /// What all runs of a search share.
 struct Search<'a> {
@@ -123,7 +123,7 @@ impl Search<'_> {
 pub(crate) fn search(
     net: &Net,
     name: &str,
-    (family, energy): (ShapedFamily, Energy),
+    (family, energy): (ShapedFamily, SearchEnergy),
     interior: TensorInterior,
     mode: SearchMode,
     context: &Context<'_>,
@@ -147,6 +147,7 @@ pub(crate) fn search(
         return Err(MethodError::NothingFound { evaluations });
     };
     Ok(SearchOutcome {
+        energy,
         shape: best.shape.clone(),
         minimum: best.value,
         evaluations: runs.iter().map(|run| run.evaluations).sum(),

@@ -3,7 +3,7 @@
 use super::Picture;
 use super::axis::{Axis, frame};
 use super::svg::{ACCENT, Anchor, FAINT, Font, Svg, path};
-use plateau::{Notation, Results, SearchOutcome, SearchRun};
+use plateau::{Notation, Quantity, Results, SearchOutcome, SearchRun};
 
 /// Most searches in one picture.
 const SEARCHES: usize = 6;
@@ -52,7 +52,11 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     } else {
         runs.len().to_string()
     };
-    let caption = format!("{of} runs; least value {:.7} length²", search.minimum);
+    let (unit, inside) = match Quantity::of_search(search.energy).power() {
+        0 => ("", ""),
+        _ => (" length²", " (length²)"),
+    };
+    let caption = format!("{of} runs; least value {:.7}{unit}", search.minimum);
     svg.heading([20.0, y + 4.0], name, 70, &caption);
     let (top, bottom) = (y + 56.0, y + SIZE[1] - 54.0);
     let mut key = SIZE[0] - 210.0;
@@ -72,7 +76,7 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     let tells = values_tell(&runs, low, high);
     if tells {
         let (iterations, values) = (x([96.0, 400.0]), Axis::linear(low, high, [bottom, top], 5));
-        frame(svg, &iterations, &values, "iteration", "best value (length²)");
+        frame(svg, &iterations, &values, "iteration", &format!("best value{inside}"));
         svg.clip(&format!("values-{row}"), [96.0, top - 2.0, 402.0, bottom + 2.0]);
         draw(svg, &runs, &iterations, &values, most, Some);
     }
@@ -94,7 +98,7 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
         return;
     };
     let (iterations, gaps) = (x([left, 836.0]), Axis::logarithmic(least, largest, [bottom, top], 7));
-    frame(svg, &iterations, &gaps, "iteration", "gap to the least value (length²)");
+    frame(svg, &iterations, &gaps, "iteration", &format!("gap to the least value{inside}"));
     draw(svg, &runs, &iterations, &gaps, most, gap);
     if least < 1e-3 * largest {
         let note = format!("smallest gap {}", Notation::Digits(4).of(least));

@@ -136,7 +136,7 @@ fn raster((shown, chart): (&Shown<'_>, &Chart), full: f64, side: usize) -> Strin
 }
 
 /// A square PNG whose pixels are places in a palette.
-fn image(side: usize, pixels: &[u8], palette: Vec<u8>) -> Result<Vec<u8>, png::EncodingError> {
+pub(super) fn image(side: usize, pixels: &[u8], palette: Vec<u8>) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, side as u32, side as u32);
     encoder.set_color(png::ColorType::Indexed);

@@ -4,6 +4,7 @@ mod axis;
 mod basis;
 mod blend;
 pub(crate) mod colour_bar;
+mod conditioning;
 mod construction;
 mod convergence;
 mod curvature;
@@ -12,13 +13,16 @@ mod drawing;
 mod map;
 mod multiples;
 mod panels;
+mod region;
 mod svg;
 mod view;
 
 pub use basis::basis_functions;
+pub use conditioning::conditioning;
 pub use construction::construction;
 pub use drawing::{PICTURES, Picture};
 pub use multiples::{Multiples, Panel, multiples};
+pub use region::nonnegativity_region;
 pub(crate) use svg::Escaped;
 
 use crate::scene::Scene;
