@@ -113,6 +113,7 @@ impl Condensation {
             check::length("length of the matrix of a cell", cell.size * cell.size, matrix.len())?;
             let factor = Interior::new(cell, matrix, &self.spare)?;
             let r = cell.rim.len();
+            // The part of the cell's matrix on its rim, lower triangle, column-major: what the square is taken from.
             let mut rest = zeros(r * r)?;
             for (b, &(q, _)) in cell.rim.iter().enumerate() {
                 for (a, &(p, _)) in cell.rim.iter().enumerate().skip(b) {
@@ -123,6 +124,8 @@ impl Condensation {
             for (b, &(_, l)) in cell.rim.iter().enumerate() {
                 for (a, &(_, k)) in cell.rim.iter().enumerate().skip(b) {
                     let value = rest[b * r + a];
+                    // The skeleton may number the unknowns of a rim in another order than the cell does: only what falls below the
+                    // diagonal of the skeleton counts, so the pair is turned if need be.
                     let (row, column) = (k.max(l), k.min(l));
                     if sparse {
                         triplets.push(Triplet { row, column, value });
@@ -137,6 +140,7 @@ impl Condensation {
             inner.push(factor);
         }
         let skeleton = if sparse {
+            // The positive definiteness of the whole is that of all interiors and of S: a shift that is too small fails here or above.
             Skeleton::Sparse(Box::new(SparseCholesky::new(self.skeleton, &triplets)?))
         } else {
             factor_in_place(self.skeleton, &mut schur)?;
@@ -171,9 +175,11 @@ struct Interior {
 }
 
 impl Interior {
+    // L and K_ir are gathered from rows in place of columns: the matrix is symmetric, and rows are contiguous.
     fn new(cell: &CellUnknowns, matrix: &[f64], spare: &Spare) -> Result<Self, SolveError> {
         let (order, rim) = (cell.inner.len(), cell.rim.len());
         let gather = |columns: &[(usize, usize)]| -> Result<Vec<f64>, SolveError> {
+            // Length tells apart what is kept, so that a cell finds the arrays of its own kind again.
             let mut out = spare.take(order * columns.len())?;
             for (column, &(q, _)) in out.chunks_exact_mut(order.max(1)).zip(columns) {
                 let row = &matrix[q * cell.size..(q + 1) * cell.size];
@@ -230,6 +236,8 @@ impl Condensed<'_> {
         let of = self.of;
         check::length("length of the right-hand side", of.unknowns * columns, rhs.len())?;
         let mut scratch = Vec::new();
+        // Forward through the interiors to the skeleton, the skeleton solved whole, and back: block elimination with
+        // z = L⁻¹ b_i, S x_r = b_r − Yᵀ z, x_i = L⁻ᵀ (z − Y x_r). K_ir itself is not needed any more.
         for column in 0..columns {
             let entry = |k: usize| k * columns + column;
             let mut skeleton: Vec<f64> = (0..of.skeleton).map(|k| rhs[entry(k)]).collect();
@@ -240,6 +248,7 @@ impl Condensed<'_> {
                 for (y, &(_, k)) in inner.coupling.chunks_exact(inner.order.max(1)).zip(&cell.rim) {
                     skeleton[k] -= dot(y, &scratch);
                 }
+                // z waits in the place of the right-hand side until x_r is known.
                 scratch.iter().zip(&cell.inner).for_each(|(z, &(_, k))| rhs[entry(k)] = *z);
             }
             match &self.skeleton {

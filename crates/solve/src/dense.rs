@@ -41,6 +41,7 @@ impl Cholesky {
     pub fn new(n: usize, matrix: &[f64]) -> Result<Self, SolveError> {
         check::square(n, matrix)?;
         check::symmetric(n, matrix)?;
+        // In these units the products of entries neither overflow nor vanish; a power of 2 rounds nothing.
         let (system, matrix) = in_units(n, matrix)?;
         let mut factor = copy(&matrix)?;
         if n <= SMALL {
@@ -49,6 +50,7 @@ impl Cholesky {
             factor_blocked(n, &mut factor)?;
         }
         let mut cholesky = Self { system, matrix, factor };
+        // Positive pivots can be rounding alone: the condition decides whether they mean anything.
         let solve = |x: &mut [f64]| cholesky.solve_in_place(x, 1);
         let inverse_norm = condition::inverse_norm(n, solve, solve);
         if cholesky.system.accept(inverse_norm, condition::limit(n)) {
@@ -110,6 +112,7 @@ pub(crate) fn factor_plain(n: usize, a: &mut [f64]) -> Result<(), SolveError> {
         let (done, rest) = a.split_at_mut((k + 1) * n);
         let column = &mut done[k * n..];
         column[k + 1..].iter_mut().for_each(|l| *l /= root);
+        // Right-looking: column k is taken from all later columns, below their diagonals, before the next pivot is read.
         for (j, other) in rest.chunks_exact_mut(n).enumerate() {
             let j = k + 1 + j;
             let l = column[j];
@@ -164,6 +167,7 @@ impl Lu {
     pub fn new(n: usize, matrix: &[f64]) -> Result<Self, SolveError> {
         check::square(n, matrix)?;
         let (system, matrix) = in_units(n, matrix)?;
+        // By columns, as faer wants it: unlike in Cholesky's case this matrix is not its own transpose.
         let mut factor = transposed(n, n, &matrix)?;
         let (mut permutation, mut inverse_permutation) = (filled(n, 0)?, filled(n, 0)?);
         if n > 0 {
@@ -181,6 +185,7 @@ impl Lu {
                 parameters,
             );
         }
+        // lu_in_place has no error of its own: a zero on the diagonal of U is how a singular matrix shows.
         if (0..n).any(|k| factor[k * n + k] == 0.0 || !factor[k * n + k].is_finite()) {
             return Err(SolveError::Singular { order: n, reciprocal_condition: 0.0 });
         }
@@ -287,6 +292,7 @@ pub fn solve_partitioned(
     }
     let order = free.len();
     let block = partition.free_block(matrix)?;
+    // b = −Q_fb P_b: only the rows of free and the columns of fixed unknowns are read, so free rows of `values` may be NaN.
     let mut rhs = zeros(order * columns)?;
     for (k, &i) in free.iter().enumerate() {
         for &j in fixed {

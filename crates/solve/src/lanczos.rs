@@ -37,9 +37,11 @@ pub fn smallest_eigenpair(
     let (mut diagonal, mut beside): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     let mut next = copy(start)?;
     let mut found: Option<(f64, Vec<f64>)> = None;
+    // In exact arithmetic n steps exhaust the space.
     for step in 0..steps.min(start.len()) {
         let [mut image, mut weighed] = apply(&next)?;
         let length = dot(&next, &weighed).sqrt();
+        // Length 0: what is spanned is invariant, and its smallest eigenvalue is exact. NaN or a negative square: B is not positive there.
         if !(length > 0.0 && length.is_finite()) {
             break;
         }
@@ -49,20 +51,25 @@ pub fn smallest_eigenpair(
         if step > 0 {
             beside.push(length);
         }
+        // In this basis the form A is tridiagonal: here is its next diagonal entry, and `beside` holds those beside the diagonal.
         diagonal.push(dot(&next, &image));
         basis.push(std::mem::take(&mut next));
         images.push(weighed);
         let (value, vector) = smallest_of_tridiagonal(&diagonal, &beside)?;
         let size = diagonal.iter().chain(&beside).fold(0.0f64, |m, x| m.max(x.abs()));
         next = invert(image)?;
+        // The three-term recurrence in full: against all vectors, and twice, because rounding lets lost directions grow again and then
+        // the smallest eigenvalue would appear several times.
         for _ in 0..2 {
             for (q, b) in basis.iter().zip(&images) {
                 let share = dot(&next, b);
                 next.iter_mut().zip(q).for_each(|(x, q)| *x -= share * q);
             }
         }
+        // Residual of the Ritz pair in the norm of B: the length of the next vector times the last component of the eigenvector.
         let [_, weighed] = apply(&next)?;
         let residual = dot(&next, &weighed).max(0.0).sqrt() * vector[step].abs();
+        // A Ritz value is off by about the square of the residual over the gap; the first step knows no gap and may not use that.
         let settled = residual * residual <= TOLERANCE * size * size.max(residual);
         found = Some((value, vector));
         if settled && step > 0 || residual <= TOLERANCE * size {
@@ -87,6 +94,7 @@ fn smallest_of_tridiagonal(diagonal: &[f64], beside: &[f64]) -> Result<(f64, Vec
             (matrix[k * n + k + 1], matrix[(k + 1) * n + k]) = (beside[k], beside[k]);
         }
     }
+    // Small (as many rows as steps), so the dense solver is good enough.
     let eigen = eigen_symmetric(n, &matrix)?;
     Ok((eigen.values[0], (0..n).map(|k| eigen.vectors[k * n]).collect()))
 }

@@ -49,10 +49,12 @@ impl SparseMatrix {
                 return Err(SolveError::NotFinite { place: Place::Matrix, row, column: col });
             }
         }
+        // Sorted by column, then row: equal places stand side by side, and rows within a column are increasing, as `entry` needs.
         let mut order = filled(triplets.len(), 0usize)?;
         order.iter_mut().enumerate().for_each(|(k, at)| *at = k);
         order.sort_by_key(|&k| (triplets[k].column, triplets[k].row));
 
+        // Scaling by a power of 2 rounds nothing, and keeps sums and squares away from overflow and underflow.
         let exponent = exponent(triplets.iter().map(|t| &t.value));
         let mut matrix = Self { n, starts: filled(n + 1, 0)?, rows: Vec::new(), values: Vec::new() };
         let mut last = None;
@@ -60,6 +62,7 @@ impl SparseMatrix {
             let Triplet { row, column, value } = triplets[k];
             let value = by_power(value, -exponent);
             if last == Some((column, row)) {
+                // Summed in the order given (the sort is stable): the same triplets give the same bits.
                 *matrix.values.last_mut().expect("an entry of this place was pushed before") += value;
             } else {
                 last = Some((column, row));
@@ -89,6 +92,7 @@ impl SparseMatrix {
     }
 
     fn check_symmetric(&self) -> Result<(), SolveError> {
+        // An assembled matrix is symmetric but for the order of its sums: a few roundings of its largest entry.
         let bound = 16.0 * f64::EPSILON * self.values.iter().fold(0.0f64, |max, a| max.max(a.abs()));
         for j in 0..self.n {
             for (i, a) in self.column(j) {
@@ -173,6 +177,7 @@ impl SparseCholesky {
                 SolveError::NotPositiveDefinite { order: n, pivot, condition: None }
             })?;
         let mut cholesky = Self { system, matrix, symbolic, values };
+        // A factor alone proves little: pivots of a nearly singular matrix can come out positive by rounding.
         let memory = RefCell::new(cholesky.memory(1)?);
         let solve = |x: &mut [f64]| cholesky.solve_in_place(x, 1, &mut memory.borrow_mut());
         let inverse_norm = condition::inverse_norm(n, solve, solve);
@@ -234,6 +239,7 @@ impl SparseLu {
     /// [`SolveError::OutOfMemory`].
     pub fn new(n: usize, triplets: &[Triplet]) -> Result<Self, SolveError> {
         let (system, matrix) = SparseMatrix::new(n, triplets)?;
+        // A column or row without any entry is singular by structure: no ordering is sought for it.
         let empty = SolveError::Singular { order: n, reciprocal_condition: 0.0 };
         let mut hit = filled(n, false)?;
         matrix.rows.iter().for_each(|&i| hit[i] = true);

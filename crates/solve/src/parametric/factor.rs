@@ -33,10 +33,12 @@ pub(super) fn factor_fixed<const W: usize, A: Arithmetic<W>, const N: usize>(
 ) -> A::V {
     let zero = a.splat(0.0);
     let bound = a.splat(tables.pivot_bound);
+    // z are the rows of b, u = z D⁻¹: the last three rows of w and l.
     let (mut w, mut l) = ([[zero; N]; N], [[zero; N]; N]);
     let (mut z, mut u) = ([[zero; N]; 3], [[zero; N]; 3]);
     let mut slots = tables.assembly.chunks_exact(tables.terms.max(1));
     for i in 0..N {
+        // The lower triangle row by row, as the table of assembly lists it.
         for j in 0..=i {
             w[i][j] = entry(a, slots.next().unwrap_or(&[]), workspace.left, workspace.right);
         }
@@ -46,6 +48,7 @@ pub(super) fn factor_fixed<const W: usize, A: Arithmetic<W>, const N: usize>(
     }
     let mut value = a.load(&workspace.entries[3 * N]);
     for j in 0..N {
+        // The diagonal before anything was subtracted: what is left of it measures cancellation.
         let diagonal = w[j][j];
         for k in 0..j {
             for i in j..N {
@@ -60,13 +63,16 @@ pub(super) fn factor_fixed<const W: usize, A: Arithmetic<W>, const N: usize>(
             l[i][j] = a.mul(w[i][j], inverse);
         }
         for d in 0..3 {
+            // J = c − bᵀ Q⁻¹ b = c − Σ_j z_j² / d_j: the columns of b give it without solving backwards.
             u[d][j] = a.mul(z[d][j], inverse);
             value = a.sub_mul(u[d][j], z[d][j], value);
         }
     }
+    // The minimiser is wanted only with a gradient, which is taken one point at a time.
     if W == 1 {
         for j in (0..N).rev() {
             for d in 0..3 {
+                // Lᵀ p = −D⁻¹ L⁻¹ b: u is already D⁻¹ L⁻¹ b, so that only the backward half is left.
                 let mut p = u[d][j];
                 for i in j + 1..N {
                     p = a.sub_mul(l[i][j], u[d][i], p);
@@ -99,6 +105,8 @@ pub(super) fn factor_any<const W: usize, A: Arithmetic<W>>(
             workspace.w[at(n + d, i)] = workspace.entries[3 * i + d];
         }
     }
+    // Right-looking for one point, left-looking in tiles for many: both apply the products of an entry in the order of k, so that
+    // the bits agree.
     if W == 1 {
         factor_columns(a, n, tables.pivot_bound, workspace.w, workspace.l);
         for j in (0..n).rev() {
@@ -165,11 +173,13 @@ fn factor_rows<const W: usize, A: Arithmetic<W>>(
 ) {
     let rows = n + 3;
     let bound = a.splat(pivot_bound);
+    // The inverse pivots of the two columns at hand: set by the first tile of the columns, used by all tiles below it.
     let mut inverse = [bound; 2];
     for j in (0..n).step_by(2) {
         let columns = (n - j).min(2);
         for i in (j..rows).step_by(2) {
             let height = (rows - i).min(2);
+            // Both diagonal entries as assembled, before the tile overwrites them. Only the first tile, i = j, reads them.
             let diagonal = [a.load(&w[i * n + j]), a.load(&w[(i + height - 1) * n + j + columns - 1])];
             match (height, columns) {
                 (2, 2) => tile::<W, 2, 2, A>(a, n, i, j, w, l),
@@ -180,6 +190,7 @@ fn factor_rows<const W: usize, A: Arithmetic<W>>(
             for c in 0..columns {
                 for r in 0..height {
                     let at = (i + r) * n + j;
+                    // Above the diagonal: no entry of L.
                     if i == j && r < c {
                         continue;
                     }

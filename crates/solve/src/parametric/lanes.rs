@@ -34,6 +34,7 @@ impl Kernel for Values<'_> {
                 arithmetic.load(&lanes[3]),
             ];
             let values = arithmetic.store(value(arithmetic, self.tables, point, &mut workspace));
+            // Infinity is no energy either: NaN is the one sign of a point without a value.
             for (out, value) in out.iter_mut().zip(values) {
                 *out = if value.is_finite() { value } else { f64::NAN };
             }
@@ -129,6 +130,7 @@ fn value<const W: usize, A: Arithmetic<W>>(
     polynomials(a, &tables.left, &x, workspace.left);
     polynomials(a, &tables.right, &y, workspace.right);
     bilinear_forms(a, &tables.bilinear, &x, &y, workspace.entries);
+    // The inner points of nets of degrees 2 to 4: unrolled, for these are what a swarm evaluates most.
     match tables.free {
         1 => factor_fixed::<W, A, 1>(a, tables, workspace),
         2 => factor_fixed::<W, A, 2>(a, tables, workspace),
@@ -169,6 +171,7 @@ fn bilinear_forms<const W: usize, A: Arithmetic<W>>(
     y: &[A::V; MONOMIALS],
     out: &mut [[f64; W]],
 ) {
+    // All 36 products x_m y_n at once: the sum then runs down one table, its entries side by side.
     let mut products = [x[0]; PRODUCTS];
     for m in 0..MONOMIALS {
         for n in 0..MONOMIALS {
@@ -233,6 +236,7 @@ fn weigh_slots<'a, const W: usize, A: Arithmetic<W>>(
                     (a.load(&workspace.minimiser[3 * i + d]), a.load(&workspace.minimiser[3 * j + d]));
                 weight = a.mul_add(p, q, weight);
             }
+            // Off the diagonal an entry stands twice in pᵀ Q p.
             weight = a.mul(weight, a.splat(if i == j { 1.0 } else { 2.0 }));
             for [l, r] in slots.next().unwrap_or(&[]) {
                 let (l, r) = (*l as usize, *r as usize);
@@ -255,6 +259,7 @@ fn gradient<const W: usize, A: Arithmetic<W>>(
     point: [A::V; 4],
     workspace: &mut Workspace<'_, W>,
 ) -> [A::V; 4] {
+    // By the envelope theorem the minimiser is held: its own change is of first order in the gradient of J by p, which is 0.
     let zero = a.splat(0.0);
     let (x, y) = (monomials(a, point[0], point[1]), monomials(a, point[2], point[3]));
     let entries = 3 * tables.free;
@@ -268,6 +273,7 @@ fn gradient<const W: usize, A: Arithmetic<W>>(
             table[k] = a.mul_add(twice, a.splat(coefficients[k]), table[k]);
         }
     }
+    // Of Σ T_mn x_m y_n, the derivatives by the monomials x_m and y_n; below, those of the slots join them.
     let (mut dx, mut dy) = ([zero; MONOMIALS], [zero; MONOMIALS]);
     for m in 0..MONOMIALS {
         for n in 0..MONOMIALS {
@@ -281,12 +287,14 @@ fn gradient<const W: usize, A: Arithmetic<W>>(
         [(&mut dx, of_left, &tables.left), (&mut dy, of_right, &tables.right)]
     {
         for (weight, c) in weights.iter().zip(coefficients) {
+            // The constant (m = 0) has no derivative.
             for m in 1..MONOMIALS {
                 derivatives[m] = a.mul_add(a.load(weight), a.splat(c[m]), derivatives[m]);
             }
         }
     }
     let two = a.splat(2.0);
+    // The chain rule through (1, s, t, s², st, t²).
     let by = |d: &[A::V; MONOMIALS], s: A::V, t: A::V| {
         let of_s = a.mul_add(a.mul(two, s), d[3], a.mul_add(t, d[4], d[1]));
         let of_t = a.mul_add(a.mul(two, t), d[5], a.mul_add(s, d[4], d[2]));

@@ -193,6 +193,7 @@ impl Parametric {
     /// Lends this thread's workspace, which grows once to the largest system evaluated and is then reused.
     #[inline]
     fn with_workspace<T>(&self, run: impl FnOnce(&mut [f64]) -> T) -> Result<T, SolveError> {
+        // Taken, not borrowed: a kernel that panics or calls itself leaves an empty workspace behind, never a half-used one.
         let mut workspace = WORKSPACE.take();
         let length = lanes::memory(&self.tables);
         if workspace.len() < length {
@@ -209,6 +210,7 @@ impl Parametric {
     /// [`SolveError::NotFinite`] for such parameters; else as [`Cholesky::new`] and [`Cholesky::solve`].
     pub fn solve(&self, point: &[f64; 4]) -> Result<ParametricSolution, SolveError> {
         check::finite(Place::Parameters, 4, point)?;
+        // With residual and condition, from sums of another order than the kernels': the same numbers but for the last digits.
         let (matrix, b, c) = self.tables.at(point);
         let cholesky = Cholesky::new(self.tables.free, &matrix)?;
         let rhs: Vec<f64> = b.iter().map(|b| -b).collect();

@@ -68,6 +68,7 @@ impl Engine {
     pub(crate) fn run_one<K: Kernel>(self, kernel: K) -> K::Output {
         match self {
             Self::Portable => kernel.run::<1, _>(Separate),
+            // One point fills no vector: `vectorize` is there so that the kernel is compiled for fused arithmetic.
             #[cfg(target_arch = "x86_64")]
             Self::Fma(simd) => simd.vectorize(Dispatch::<1, K>(simd, kernel)),
         }
@@ -215,6 +216,7 @@ impl Arithmetic<1> for FusedOne {
 
     #[inline(always)]
     fn sub_mul(self, a: f64, b: f64, c: f64) -> f64 {
+        // −a·b + c with one rounding: the vectors' fused negated product gives the same bits.
         (-a).mul_add(b, c)
     }
 
@@ -269,6 +271,7 @@ mod fused {
 
         #[inline(always)]
         fn reciprocal_above(self, a: [f64x4; 2], bound: [f64x4; 2]) -> [f64x4; 2] {
+            // The comparison is false for NaN, so what is not a number stays one and never turns into a pivot.
             let (one, nan) = (self.0.splat_f64s(1.0), self.0.splat_f64s(f64::NAN));
             std::array::from_fn(|l| {
                 let above = self.0.greater_than_f64s(a[l], bound[l]);

@@ -40,6 +40,7 @@ impl Tables {
 
         let mut left = Slots::default();
         let mut right = Slots::default();
+        // Of N free unknowns N (N + 1)/2 entries, a pair of slots for each term: the one array that grows with N².
         let mut assembly = Vec::new();
         let pairs = free * (free + 1) / 2;
         assembly.try_reserve_exact(pairs * problem.terms.len()).map_err(|_| SolveError::OutOfMemory {
@@ -82,6 +83,7 @@ impl Tables {
             assembly,
             bilinear,
             by_entry,
+            // An entry is a sum of at most N products: its rounding against its diagonal entry is about N ε.
             pivot_bound: 4.0 * free as f64 * f64::EPSILON,
         };
         Ok(tables)
@@ -140,6 +142,7 @@ struct Slots {
 impl Slots {
     /// The slot of each entry of `factor · matrix[free × free]`, row-major; equal mirror images share one.
     fn of_block(&mut self, index: usize, factor: f64, matrix: &PolynomialMatrix, free: &[usize]) -> Vec<u32> {
+        // A matrix used by several terms with the same factor is tabulated once.
         if let Some((.., slots)) = self.known.iter().find(|(i, f, _)| (*i, *f) == (index, factor)) {
             return slots.clone();
         }
@@ -150,6 +153,7 @@ impl Slots {
         let mut slots = vec![0; n * n];
         for i in 0..n {
             for j in 0..=i {
+                // (i, j) below the diagonal first: its mirror image above, looked at next, can then share the slot.
                 for (i, j) in [(i, j), (j, i)] {
                     slots[i * n + j] = if i < j && entry(i, j) == entry(j, i) {
                         slots[j * n + i]
@@ -177,6 +181,7 @@ fn contracted(
     rows: usize,
     cols: usize,
 ) -> Result<Vec<[f64; PRODUCTS]>, SolveError> {
+    // Free points count as 0, whatever stands there: NaN is allowed.
     let (free_rows, free_cols) = (&problem.free_left, &problem.free_right);
     let mut fixed = crate::memory::copy(&problem.values)?;
     for &i in free_rows {
@@ -189,6 +194,7 @@ fn contracted(
     let mut across = zeros(3 * rows * cols)?;
     for term in &problem.terms {
         let (left, right) = (&problem.left[term.left], &problem.right[term.right]);
+        // R is applied once for each of its monomials, then L for each of its own: six and six products in place of 36 pairs.
         for q in 0..MONOMIALS {
             along_rows(&right.coefficients[q], cols, &fixed, &mut along);
             for p in 0..MONOMIALS {
@@ -203,6 +209,7 @@ fn contracted(
                         }
                     }
                 }
+                // c = P_bᵀ V: at free points P_b is 0, so the sum over all of the net is right.
                 tables[entry][product] += across.iter().zip(&fixed).map(|(v, x)| v * x).sum::<f64>();
             }
         }

@@ -135,6 +135,7 @@ impl Direction {
                 Spec::default(),
             );
         }
+        // R stands above the diagonal; below it are the Householder vectors, which are not wanted: `triangle` keeps its zeros there.
         for j in 0..functions {
             for i in 0..size.min(j + 1) {
                 self.triangle[(i, j)] = self.householder[(i, j)];
@@ -143,6 +144,7 @@ impl Direction {
         if f == 0 {
             return Ok(());
         }
+        // The free functions come first, so R_ff is the leading block of R and k counts them.
         for k in 0..f {
             // The part of a free function that those before it do not span, against its size.
             let length = (0..=k).map(|i| self.triangle[(i, k)].powi(2)).sum::<f64>().sqrt();
@@ -161,6 +163,7 @@ impl Direction {
         if (0..f).any(|j| self.orthonormal.col(j).iter().any(|a| !a.is_finite())) {
             return Err(SolveError::NotPositiveDefinite { order: f, pivot: None, condition: None });
         }
+        // V and Σ alone: the singular values of D are the square roots of λ, where DᵀD would lose half of their digits.
         svd::svd(
             self.orthonormal.as_ref(),
             self.singular.as_mut(),
@@ -176,6 +179,7 @@ impl Direction {
         }
         product(&mut self.of_values, self.rotation.transpose(), self.triangle.subrows(0, f));
         product(&mut self.diagonal, self.orthonormal.as_ref(), self.rotation.as_ref());
+        // Over all functions: on the free ones this is Σ² Vᵀ R_ff, on the fixed ones it couples them to what is held.
         product(&mut self.of_derivatives, self.diagonal.transpose(), self.derivatives.as_ref());
         Ok(())
     }

@@ -88,6 +88,7 @@ impl Separable {
 ///
 /// The energy is summed anew from squares: it does not carry the cancellation of c − Σ b²/(λ + μ).
 fn solution(u: &Direction, v: &Direction, net: &mut Net) -> Result<SeparableSolution, SolveError> {
+    // The order matters: `complete` writes the free points, and `store`, `energy` and `residual` read the whole net.
     net.complete(u, v);
     let x = net.store(u, v);
     check::finite(Place::Solution, 3, &x)?;

@@ -91,6 +91,7 @@ impl Net {
 
     /// Half of Σ_d ‖A'_u X_d A_vᵀ‖² + ‖A_u X_d A'_vᵀ‖² of the net as it stands: a sum of squares.
     pub(super) fn energy(&mut self, u: &Direction, v: &Direction) -> f64 {
+        // A_v enters only as A_vᵀA_v = RᵀR: R is the smaller of the two, and as exact.
         product(&mut self.slopes, u.derivatives.as_ref(), self.planes.as_ref());
         product(&mut self.heights, u.triangle.as_ref(), self.planes.as_ref());
         let mut sum = 0.0;
@@ -118,11 +119,13 @@ impl Net {
 
     /// The minimum over the free points of a loaded net: `c − ½ Σ b²/(λ_i + μ_j)`. Leaves the minimiser in `diagonal`.
     pub(super) fn reduce(&mut self, u: &Direction, v: &Direction) -> Result<f64, SolveError> {
+        // The loaded net has zeros at its free points: its energy is c.
         let c = self.energy(u, v);
         if u.free == 0 || v.free == 0 {
             return Ok(c);
         }
         let (least, largest) = spectrum(u, v);
+        // λ is the square of a singular value known to n ε: the noise is the square of that.
         let noise = (u.free.max(v.free) as f64 * f64::EPSILON).powi(2);
         if least <= noise * largest || !largest.is_finite() {
             let condition = Some(largest / least);
@@ -131,6 +134,7 @@ impl Net {
         self.couple(u, v);
         let mut gain = 0.0;
         for diagonal in &mut self.diagonal {
+            // In the diagonal bases the system is one division an unknown.
             for (j, mu) in v.eigenvalues.iter().enumerate() {
                 for (b, lambda) in diagonal.col_as_slice_mut(j).iter_mut().zip(&u.eigenvalues) {
                     let y = *b / (lambda + mu);
@@ -150,6 +154,7 @@ impl Net {
         let n = v.order.len();
         for d in 0..3 {
             u.back(&mut self.diagonal[d], &mut self.rotated);
+            // Both factors act on the rows of a matrix: the second one on the transpose.
             self.turned.copy_from(self.diagonal[d].transpose());
             v.back(&mut self.turned, &mut self.turned_rotated);
             self.planes.submatrix_mut(0, d * n, u.free, v.free).copy_from(self.turned.transpose());
@@ -178,6 +183,7 @@ impl Net {
         let (m, n) = (u.order.len(), v.order.len());
         let mut of_u = [Mat::zeros(m, m), Mat::zeros(m, m)];
         let mut of_v = [Mat::zeros(n, n), Mat::zeros(n, n)];
+        // [X R_vᵀ, X A'_vᵀ]: their squares are X (A_vᵀA_v) Xᵀ and X (A'_vᵀA'_v) Xᵀ.
         let mut across = [Mat::zeros(m, v.triangle.nrows()), Mat::zeros(m, v.roots.len())];
         product(&mut self.slopes, u.derivatives.as_ref(), self.planes.as_ref());
         product(&mut self.heights, u.triangle.as_ref(), self.planes.as_ref());
@@ -192,6 +198,7 @@ impl Net {
                 add(&mut of_u[k], across[k].as_ref(), across[k].transpose());
             }
             let (slopes, heights) = (Self::plane(&self.slopes, v, d), Self::plane(&self.heights, v, d));
+            // heightsᵀ heights = Xᵀ (A_uᵀA_u) X weighs A'_v, slopesᵀ slopes weighs A_v.
             add(&mut of_v[0], heights.transpose(), heights);
             add(&mut of_v[1], slopes.transpose(), slopes);
         }

@@ -71,6 +71,7 @@ impl SeparableParametric {
             u,
             v,
         };
+        // Made and loaded once, so that a bad net is an error here and not a NaN in every evaluation; then kept for the first of these.
         let mut first = system.workspace()?;
         first.net.load(&first.u, &first.v, values)?;
         system.give_back(first);
@@ -164,6 +165,7 @@ impl SeparableParametric {
         for (direction, samples, [s, t]) in
             [(&mut *u, &self.u, [point[0], point[1]]), (&mut *v, &self.v, [point[2], point[3]])]
         {
+            // Affine in the parameters: no function is evaluated again.
             let at = |parts: &[Vec<f64>; 3], k: usize| parts[0][k] + s * parts[1][k] + t * parts[2][k];
             direction.fill(|k| (at(&samples.values, k), at(&samples.derivatives, k)));
             direction.factor()?;
@@ -179,6 +181,7 @@ impl SeparableParametric {
 
     fn gradient(&self, point: &[f64; 4], workspace: &mut Workspace) -> Result<(f64, [f64; 4]), SolveError> {
         let value = self.reduce(point, workspace)?;
+        // The minimiser is held (envelope theorem): only the samples move with the parameters.
         let Workspace { u, v, net } = workspace;
         net.complete(u, v);
         let [of_u, of_v] = net.sensitivities(u, v);

@@ -113,6 +113,7 @@ impl ProductSystem {
         drop(zeros(size)?);
         let mut operator = Vec::new();
         for term in terms {
+            // ⟨(Σ_s f_s g_s), (Σ_r f_r g_r)⟩ expanded: a product for every pair of families.
             for s in 0..products.len() {
                 for r in 0..products.len() {
                     operator.push(Kronecker {
@@ -126,6 +127,7 @@ impl ProductSystem {
         let entry = |i: usize, j: usize| {
             operator.iter().map(|k| k.coefficient * k.left[(i, i)] * k.right[(j, j)]).sum::<f64>()
         };
+        // The diagonal is the preconditioner: an entry that is not positive already says that the energy is not positive definite.
         let diagonal = Mat::from_fn(rows, cols, entry);
         let negative =
             |j: usize| diagonal.col(j).iter().position(|d| *d <= 0.0 || !d.is_finite()).map(|i| (i, j));
@@ -156,10 +158,12 @@ impl ProductSystem {
             let found = self.conjugate_gradients(rhs)?;
             condition = condition.max(found.condition()?);
             steps = steps.max(found.curvatures.len());
+            // The defect is formed anew: the one that conjugate gradients carry along drifts away from b − A x.
             let mut left = rhs.clone();
             self.subtract_product(&found.x, &mut left);
             for j in 0..cols {
                 for i in 0..rows {
+                    // In units in which the diagonal is 1: D^(−1/2) of the defect, D^(1/2) of x.
                     defect += left[(i, j)].powi(2) / self.diagonal[(i, j)];
                     size += found.x[(i, j)].powi(2) * self.diagonal[(i, j)];
                 }
@@ -187,6 +191,7 @@ impl ProductSystem {
         let mut asked: Vec<(Orders, [Mat<f64>; 3])> = Vec::new();
         for term in &self.terms {
             let orders = (term.u.1, term.v.1);
+            // Terms often ask for the same derivatives of F, which are dear to evaluate.
             let at = match asked.iter().position(|(known, _)| *known == orders) {
                 Some(at) => at,
                 None => {
@@ -232,10 +237,12 @@ impl ProductSystem {
         let mut defect = rhs.clone();
         let mut along = scaled(&defect);
         let mut square = dot(&defect, &along);
+        // (r, z) is a square: ε² of the first is a defect of ε of the first.
         let rounding = f64::EPSILON.powi(2) * square;
         while square > rounding && found.curvatures.len() < MOST_STEPS {
             let mut image = Mat::zeros(rows, cols);
             self.subtract_product(&along, &mut image);
+            // `subtract_product` from zero leaves −A p: hence the sign, and the + in the step of the defect.
             let curvature = -dot(&along, &image);
             if curvature <= 0.0 || !curvature.is_finite() {
                 return Err(SolveError::NotPositiveDefinite {
@@ -279,9 +286,11 @@ impl Side {
         }
         let free: Vec<usize> = (0..functions).collect();
         let mut direction = Direction::new(points, functions, weights, &free)?;
+        // One preconditioner for all families of a side: for one family it is exact, for two that are near each other nearly so.
         let mean = |order: usize, k: usize| {
             families.iter().map(|family| family.orders[order][k]).sum::<f64>() / families.len() as f64
         };
+        // The highest derivatives dominate the energy at high degree: it is these that are made orthogonal beside the values.
         direction.fill(|k| (mean(0, k), mean(highest, k)));
         direction.factor()?;
         let mut back = Mat::identity(functions, functions);
@@ -310,6 +319,7 @@ impl Descent {
         let n = self.curvatures.len();
         let mut matrix = vec![0.0; n * n];
         for k in 0..n {
+            // With steps α and gains β: 1/α_k + β_(k−1)/α_(k−1) on the diagonal, √β_(k−1)/α_(k−1) beside it.
             let before = if k > 0 { self.gains[k - 1] * self.curvatures[k - 1] } else { 0.0 };
             matrix[k * n + k] = self.curvatures[k] + before;
             if k > 0 {
