@@ -29,6 +29,7 @@ pub const AREA_TOLERANCE: f64 = 1e-12;
 /// Relative rounding of a density, or of what is squared in one.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
+// Smaller rules agree by chance too easily.
 const FIRST_RULE: usize = 8;
 const LARGEST_RULE: usize = 512;
 
@@ -77,6 +78,8 @@ pub fn integrate<const K: usize>(
             let rounding = ROUNDING * value.abs() + delta * (2.0 * value.abs().sqrt() + delta);
             moves[k] = moved.max(0.25 * moves[k]);
             let settled = moved + rounding <= tolerance * value.abs().max(floors[k]);
+            // Settled: the last rule is far better than the move to it. Not settled: moves that fall by 4 leave a third of the last one,
+            // and twice is for their unevenness.
             let error = if settled { moved } else { 2.0 * moves[k] } + rounding;
             Integral { value, error, points, settled }
         });
@@ -96,6 +99,7 @@ fn by_rule<const K: usize>(
 ) -> Result<[f64; K], EnergyError> {
     let unit = GaussLegendre::new(points)?;
     let mut sums = [0.0; K];
+    // Line by line: sums of equal lengths, whatever the domain, round less than one long sum.
     let mut add = |w: f64, line: [f64; K]| (0..K).for_each(|k| sums[k] += w * line[k]);
     let line = |jets: &mut dyn Iterator<Item = (f64, Jet)>| {
         let mut line = [0.0; K];
@@ -118,6 +122,7 @@ fn by_rule<const K: usize>(
             }
         }
         Domain::Triangle => {
+            // (s, (1 − s) t): the side s = 1 of the square is shrunk to a point, and the Jacobian is 1 − s.
             for (s, ws) in unit.iter() {
                 let jets = &mut unit.iter().map(|(t, wt)| (wt, patch.jet(s, (1.0 - s) * t)));
                 add(ws * (1.0 - s), line(jets));
@@ -141,6 +146,7 @@ pub fn area_with_gradient(patch: &TensorPatch) -> Result<(Integral, Vec<f64>), E
     let Domain::Rectangle { u, v } = patch.domain() else {
         unreachable!("tensor patches live on rectangles")
     };
+    // The gradient is that of the sum which gave the area, not of the exact area: descent then sees one function.
     let unit = GaussLegendre::new(integral.points)?;
     let (rule_u, rule_v) = (unit.clone().on(u.0, u.1), unit.on(v.0, v.1));
     let us: Vec<f64> = rule_u.iter().map(|(t, _)| t).collect();
@@ -159,6 +165,7 @@ pub fn area_with_gradient(patch: &TensorPatch) -> Result<(Integral, Vec<f64>), E
                 if density == 0.0 {
                     continue;
                 }
+                // What dx_u and dx_v are to be multiplied with. Sums over v first, once a line, then over the rows: O(q² n + q m n).
                 let w = rule_u.weight(a) * rule_v.weight(b) / density;
                 let du = (jet.u * form.g - jet.v * form.f) * w;
                 let dv = (jet.v * form.e - jet.u * form.f) * w;

@@ -82,6 +82,7 @@ impl AreaExpansion {
                 return Err(EnergyError::Shape { what, expected, found });
             }
         }
+        // All densities first: a singular point is found before anything is added.
         let densities: Vec<Density> = tangents
             .iter()
             .zip(samples.parameters())
@@ -103,8 +104,10 @@ impl AreaExpansion {
     fn add_hessian(&mut self, samples: &TangentSamples, densities: &[Density]) {
         let (points, functions) = (samples.points(), samples.functions());
         let left = samples.stacked();
+        // One pair of coordinates at a time: six products of N × N in place of one of 3N × 3N, with half of the symmetry used.
         for a in 0..3 {
             for b in a..3 {
+                // Rows: all points by u, then all points by v, as in `left`.
                 let mut right = Matrix::zeros(2 * points, functions);
                 for (p, (density, w)) in densities.iter().zip(samples.weights()).enumerate() {
                     for side in 0..2 {
@@ -150,6 +153,7 @@ impl Density {
         const PARALLEL: f64 = 16.0 * f64::EPSILON;
         let cross = x_u.cross(x_v);
         let square = cross.dot(cross);
+        // |x_u × x_v|² against |x_u|² |x_v|² is the squared sine of the angle: scale does not matter.
         let least = (PARALLEL * PARALLEL) * x_u.dot(x_u) * x_v.dot(x_v);
         let is_regular = square > least && square.is_finite();
         let value = square.sqrt();
@@ -179,6 +183,7 @@ impl Density {
         for s in 0..6 {
             for r in 0..=s {
                 let mut second = along[s].dot(along[r]) / value;
+                // 2 N · (dx_u × dx_v) is bilinear in dx_u and dx_v: its Hessian has N · (e_r × e_s) on either side of the diagonal.
                 if r < 3 && s >= 3 {
                     second += normal.dot(unit[r].cross(unit[s - 3]));
                 }

@@ -37,6 +37,7 @@ impl Line {
     fn new(samples: &Samples, map: &Matrix) -> Self {
         let inner = |order: usize| {
             let all = samples.order(order);
+            // The first and the last function do not vanish at the ends: they carry the rim, which stays.
             Matrix::from_fn(all.rows(), all.cols() - 2, |p, k| all[(p, k + 1)]).times(map)
         };
         Self {
@@ -87,6 +88,7 @@ impl ProductArea {
         let base = patch.jets(&u.nodes, &v.nodes).into_iter().map(|jet| [jet.u, jet.v]).collect();
         let columns: Vec<(usize, usize)> =
             (0..u.functions()).flat_map(|i| (0..=i).map(move |k| (i, k))).collect();
+        // Row 4 a + rs: r is the derivative of the first function in rows 0 and 1, s that of the second in rows 0 and 2.
         let pairs = Matrix::from_fn(4 * points, columns.len(), |row, pair| {
             let (a, (i, k)) = (row / 4, columns[pair]);
             let of = |derivative: bool| if derivative { &u.derivatives } else { &u.values };
@@ -134,6 +136,7 @@ impl ProductArea {
                 }
             }
         }
+        // s_ij multiplies the function, so it multiplies both its displacement (in `tangents`) and its slope here.
         for ((out, sum), s) in gradient.chunks_exact_mut(3).zip(sums).zip(&self.scale) {
             out.copy_from_slice(&<[f64; 3]>::from(sum * *s));
         }
@@ -157,6 +160,7 @@ impl ProductArea {
         let lines = self.lines(&self.tangents(c))?;
         // Block (i, k) = Σ_a Σ_rs f_i^(r) f_k^(s) lines[a, rs], for i ≥ k.
         let mut blocks = Matrix::zeros(self.pairs.cols(), 9 * n * n);
+        // This product is where the time goes: pairs times lines, O(q m² n²).
         add_product(&mut blocks, &self.pairs, &lines);
         for (pair, (i, k)) in (0..m).flat_map(|i| (0..=i).map(move |k| (i, k))).enumerate() {
             let block = blocks.row(pair);
@@ -169,6 +173,7 @@ impl ProductArea {
                             let column = 3 * (k * n + l) + beta;
                             let entry =
                                 entries[beta * n + l] * (self.scale[i * n + j] * self.scale[k * n + l]);
+                            // Blocks with i = k hold both halves: only the lower one is taken, so that the matrix is symmetric bit for bit.
                             if column <= row {
                                 hessian[row * size + column] = entry;
                                 hessian[column * size + row] = entry;
@@ -189,6 +194,7 @@ impl ProductArea {
         let symmetric: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
         let full: [(usize, usize); 9] = std::array::from_fn(|k| (k / 3, k % 3));
         for (a, line) in tangents.chunks_exact(q).enumerate() {
+            // Columns of of_u: six symmetric components of h_uu with g_l, then nine of h_uv with g'_l; of of_v: six of h_vv with g'_l.
             let mut of_u = Matrix::zeros(q, 15 * n);
             let mut of_v = Matrix::zeros(q, 6 * n);
             for (b, &[x_u, x_v]) in line.iter().enumerate() {
@@ -208,6 +214,7 @@ impl ProductArea {
                     fill(out, density.hessian[3 + alpha][3 + beta], dg);
                 }
             }
+            // g of the first function for rows uu and uv, g' for vv; vu is the transpose of uv and costs nothing.
             let (mut by_u, mut by_v) = (Matrix::zeros(n, 15 * n), Matrix::zeros(n, 6 * n));
             add_product(&mut by_u, &self.v.values, &of_u);
             add_product(&mut by_v, &self.v.derivatives, &of_v);

@@ -51,6 +51,7 @@ impl SampledArea {
         gradient.fill(0.0);
         let mut area = 0.0;
         for (samples, base) in &self.batches {
+            // Each batch has a sum of its own: shorter sums round less.
             let mut part = 0.0;
             for (p, [x_u, x_v]) in moved(samples, base, c).into_iter().enumerate() {
                 let [u, v] = samples.parameters()[p];

@@ -19,6 +19,7 @@ impl Plane {
     pub fn with_normal(origin: Point, normal: Point) -> Option<Self> {
         let normal = normal.unit()?;
         let [x, y, z] = <[f64; 3]>::from(normal).map(f64::abs);
+        // The axis farthest from the normal: their cross product is never short.
         let least = if x <= y && x <= z {
             Point::new(1.0, 0.0, 0.0)
         } else if y <= z {
@@ -85,6 +86,7 @@ impl Calibration {
             }
         }
         let nodes = raised.faces().iter().map(|face| face.nodes().to_vec()).collect();
+        // ∫_Ω (z_x ψ_y − z_y ψ_x) = ∮ z dψ by Green's theorem: what is linear in ψ needs the rim alone, and no rule.
         let rim = rim_functional(&raised, &places, degree);
         Ok(Some(Self { nodes, unknowns: places.len(), rim, faces }))
     }
@@ -102,6 +104,7 @@ impl Calibration {
             for (q, weight) in face.weights.iter().enumerate() {
                 let [x, y] = face.gradient(q, &local);
                 let left = 1.0 - x * x - y * y;
+                // √ needs |∇ψ| < 1 strictly: at 1 the Hessian is infinite, and beyond it there is no calibration.
                 if left.is_nan() || left <= 0.0 {
                     return None;
                 }
@@ -220,9 +223,11 @@ impl Tables {
             let ([xu, yu, zu], [xv, yv, zv]) =
                 ([0, 1, 2].map(|c| sum(by_u, c)), [0, 1, 2].map(|c| sum(by_v, c)));
             let jacobian = xu * yv - xv * yu;
+            // At the points of the rule only: `certify` proves it everywhere.
             if jacobian.is_nan() || jacobian <= 0.0 {
                 return None;
             }
+            // The gradient over the plane by the inverse of the Jacobian matrix: Cramer's rule.
             let planar = |fu: f64, fv: f64| [(fu * yv - fv * yu) / jacobian, (fv * xu - fu * xv) / jacobian];
             for k in 0..functions {
                 let [x, y] = planar(by_u[k], by_v[k]);
@@ -231,6 +236,7 @@ impl Tables {
             let [zx, zy] = planar(zu, zv);
             let stretch = (1.0 + zx * zx + zy * zy).sqrt();
             samples.flux.push([zx / stretch, zy / stretch]);
+            // Weights with the Jacobian: sums over the rule are integrals over Ω, not over the parameters.
             samples.weights.push(self.weights[q] * jacobian);
         }
         Some(samples)
@@ -242,8 +248,10 @@ fn rim_functional(complex: &Complex, places: &[[f64; 3]], degree: usize) -> Vec<
     let mut rim = vec![0.0; places.len()];
     let pairing = derivative_pairing(degree);
     for (number, edge) in complex.edges().iter().enumerate() {
+        // Inner edges belong to two faces, run through twice in opposite directions: they cancel, ψ and z being continuous.
         let [only] = edge.uses() else { continue };
         let mut nodes = complex.edge_nodes(number);
+        // The rim is run through with the face on the left.
         if only.reversed == only.side.runs_round() {
             nodes.reverse();
         }
@@ -259,6 +267,7 @@ fn rim_functional(complex: &Complex, places: &[[f64; 3]], degree: usize) -> Vec<
 /// `∫ B_i B_j' dt` over [0, 1], (n + 1) × (n + 1).
 fn derivative_pairing(n: usize) -> Matrix {
     // B_j' = n (B_{j−1,n−1} − B_{j,n−1}), and ∫ B_{i,n} B_{k,n−1} = C(n,i) C(n−1,k) / (C(2n−1,i+k) 2n).
+    // By logarithms: the binomials themselves overflow at high degrees, though their quotient is at most 1.
     let log = |n: usize, k: usize| -> f64 { (1..=k).map(|i| ((n - k + i) as f64 / i as f64).ln()).sum() };
     let product =
         |i: usize, k: usize| (log(n, i) + log(n - 1, k) - log(2 * n - 1, i + k)).exp() / (2 * n) as f64;

@@ -66,12 +66,14 @@ pub fn certify(complex: &Complex, plane: &Plane, degree: usize, psi: &[f64]) -> 
     for (number, (face, fine)) in complex.faces().iter().zip(raised.faces()).enumerate() {
         let [x, y] = [0, 1].map(|c| form(face.nodes(), c));
         let psi = fine.nodes().iter().map(|&k| psi[k]).collect();
+        // ψ carries no error: it is a polynomial by its coefficients, and any polynomial with |∇ψ| ≤ 1 proves a bound.
         let psi = BernsteinForm::new([degree, degree], psi, 0.0);
         let jacobian = jacobian(&x, &y);
         if !positive(&jacobian, 0) {
             return Err(Unproved::NoGraph { face: number });
         }
         let square = radicand(&jacobian, &x, &y, &psi);
+        // √q = D √(1 − |∇ψ|²) is the integrand over the parameters: no division by D, so that everything stays polynomial.
         bound += root_integral(&square, 0).ok_or(Unproved::Steep { face: number })?;
         let z = form(face.nodes(), 2);
         for side in rim_sides(complex, number) {
@@ -95,24 +97,29 @@ fn radicand(
     y: &BernsteinForm,
     psi: &BernsteinForm,
 ) -> BernsteinForm {
+    // D ∇ψ = (ψ_u y_v − ψ_v y_u, ψ_v x_u − ψ_u x_v).
     let (by_x, by_y) = (jacobian(psi, y), jacobian(x, psi));
     let slopes = by_x.times(&by_x).plus(1.0, &by_y.times(&by_y));
+    // Slopes have a higher degree than D² when ψ does: sums are taken between forms of equal degrees.
     determinant.times(determinant).raised(slopes.degrees()).plus(-1.0, &slopes)
 }
 
 /// Whether a polynomial is shown to be positive on the square.
 fn positive(form: &BernsteinForm, depth: usize) -> bool {
+    // The least coefficient is a lower bound of the polynomial, and each cut brings it nearer to the least value by a factor of 4.
     form.least() > 0.0 || (depth < DEEPEST && form.quarters().iter().all(|part| positive(part, depth + 1)))
 }
 
 /// A lower bound of `∫ √q` over the square; none if q is not shown to be positive.
 fn root_integral(q: &BernsteinForm, depth: usize) -> Option<f64> {
+    // A part in the unit square has a quarter of the area.
     let cut = |q: &BernsteinForm| {
         q.quarters().iter().map(|part| root_integral(part, depth + 1).map(|i| 0.25 * i)).sum::<Option<f64>>()
     };
     if q.least() <= 0.0 {
         return if depth < DEEPEST { cut(q) } else { None };
     }
+    // The interpolation need not be accurate for the proof, only for a good bound: the inequality holds for every y.
     let inverse = interpolate(INVERSE_DEGREE, |u, v| 1.0 / q.value(u, v).sqrt());
     let first = q.times(&inverse);
     let product = first.times(&inverse);
@@ -125,6 +132,7 @@ fn root_integral(q: &BernsteinForm, depth: usize) -> Option<f64> {
         return Some(0.0);
     }
     let three = BernsteinForm::one(product.degrees());
+    // (3/2) q y (1 − q y²/3).
     Some(first.times(&three.plus(-1.0 / 3.0, &product)).least_integral() * 1.5)
 }
 
@@ -141,5 +149,6 @@ fn rim_sides(complex: &Complex, face: usize) -> impl Iterator<Item = Side> + '_ 
 /// A lower bound of `∫ z dψ` along a side, with the face on the left.
 fn rim_integral(z: &BernsteinForm, psi: &BernsteinForm, side: Side) -> f64 {
     let slope = psi.side(side).derivative(0);
+    // Sides that do not run round the face are run through backwards: the sign turns.
     z.side(side).times(&slope).signed(!side.runs_round()).least_integral()
 }

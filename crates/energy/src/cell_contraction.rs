@@ -79,6 +79,7 @@ impl Pairs {
         let all: Vec<(usize, usize)> =
             columns.clone().flat_map(|l| columns.clone().map(move |j| (j, l))).collect();
         let lines = u.values.rows();
+        // One product over twice as many lines sums f_i' f_k' uu and f_i f_k vv at once.
         let stacked = |pairs: &[(usize, usize)], first: [&Matrix; 2], second: [&Matrix; 2]| {
             let mut left = Left::new(2 * lines, pairs.len());
             left.set_pairs(0, first[0], first[1], pairs);
@@ -112,6 +113,7 @@ impl Pairs {
     pub(crate) fn contract(&self, fields: &Fields, mut show: impl FnMut(usize, usize, &Sums<'_>)) {
         let [rows, columns] = &self.window;
         let n = columns.len();
+        // What depends on v alone is summed first: then only lines are left, and pairs of functions of u meet no points.
         let (halved, full) = self.along_v(fields);
         let mut sums = vec![0.0; AT_ONCE * halved.columns()];
         let mut mixed = vec![0.0; AT_ONCE * full.columns()];
@@ -140,6 +142,7 @@ impl Pairs {
             product(&left, right, &mut out);
             out
         };
+        // Halved, because uu and vv are symmetric in (j, l); uv is not.
         let mut halved = Right::new(2 * lines, fields.symmetric * of_uu.columns());
         let width = halved.columns();
         for (first, field, right) in [(0, &fields.uu, of_uu), (lines, &fields.vv, of_vv)] {
@@ -154,6 +157,7 @@ impl Pairs {
         let mut turned = vec![0.0; width];
         for (a, line) in sum(&fields.uv, of_uv).chunks_exact(width.max(1)).enumerate() {
             full.set_point(a, line);
+            // Swapping the two functions of uv swaps its coordinates (α, β) and its (j, l): the transpose of both is the other half.
             for c in 0..side * side {
                 let part = &line[(c % side * side + c / side) * n * n..][..n * n];
                 transpose(n, part, &mut turned[c * n * n..][..n * n]);

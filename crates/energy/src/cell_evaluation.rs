@@ -50,6 +50,7 @@ impl Evaluation {
     /// `(x_u, x_v)` at the points.
     pub(crate) fn tangents(&self, x: &[Point]) -> Vec<[Point; 2]> {
         let ([m, n], [lines, q]) = (self.functions, self.points);
+        // Over the n functions of v, columns (function of u, coordinate): one product serves all three coordinates.
         let (mut left, mut column) = (Left::new(n, AXES * m), vec![0.0; AXES * m]);
         for j in 0..n {
             for (i, numbers) in column.as_chunks_mut::<AXES>().0.iter_mut().enumerate() {
@@ -60,6 +61,7 @@ impl Evaluation {
         let width = AXES * q;
         let (mut across, mut right) = (vec![0.0; m * width], Right::new(m, width));
         let mut sums = [vec![0.0; lines * width], vec![0.0; lines * width]];
+        // x_u = Σ f_i' g_j, x_v = Σ f_i g_j': of_u and of_v stand in that order.
         for ((of_u, of_v), sums) in self.of_u.iter().zip(&self.of_v).zip(&mut sums) {
             product(&left, of_v, &mut across);
             for (i, line) in across.chunks_exact(width.max(1)).enumerate() {
@@ -81,6 +83,7 @@ impl Evaluation {
         let width = AXES * n;
         let mut right = Right::new(2 * lines, width);
         let (mut fields, mut sums) = (vec![0.0; AXES * lines * q], vec![0.0; lines * width]);
+        // The transpose of `tangents`, in the opposite order: over the points of a line first, then over the lines.
         for (part, to_v) in self.to_v.iter().enumerate() {
             for (k, pair) in pairs.iter().enumerate() {
                 let (a, b) = (k / q, k % q);
@@ -94,6 +97,7 @@ impl Evaluation {
             }
         }
         let mut nodes = vec![0.0; m * width];
+        // In to_u derivatives stand above values, in `right` the sums of a above those of b: ∂u meets a and ∂v meets b.
         product(&self.to_u, &right, &mut nodes);
         let point = |row: &[f64], j: usize| Point::new(row[j], row[n + j], row[2 * n + j]);
         nodes.chunks_exact(width.max(1)).flat_map(|row| (0..n).map(move |j| point(row, j))).collect()

@@ -39,6 +39,8 @@ impl Pieces {
     ) -> Result<Self, EnergyError> {
         let nodal = Nodal::new(degree)?;
         let t = nodal.nodes();
+        // A polynomial of degree n in u and v is one of degree (n, n) in s and t on a bilinear piece: its values at (n + 1)² nodes
+        // determine it exactly.
         let at = |corners: &Quadrilateral| -> Vec<[f64; 2]> {
             let grid = t.iter().flat_map(|&s| t.iter().map(move |&t| [s, t]));
             grid.map(|[s, t]| Bilinear::at(corners, s, t).place).collect()
@@ -122,8 +124,10 @@ impl PiecedCell {
                 let map = Bilinear::at(corners, s, t);
                 let determinant = map.determinant();
                 parameters.push(map.place);
+                // The orientation of a piece is of no matter to an area.
                 weights.push(w * determinant.abs());
                 let ([u_s, v_s], [u_t, v_t]) = (map.by_s, map.by_t);
+                // The inverse of ((u_s, u_t), (v_s, v_t)), by Cramer's rule.
                 inverse.push([v_t, -u_t, -v_s, u_s].map(|x| x / determinant));
             }
         }
@@ -137,6 +141,7 @@ impl PiecedCell {
 
     /// All functions at all points.
     fn tables(&self) -> &SampledCell {
+        // Most steps ask for tangents and gradients alone; the tables are the dear part, so they wait for the first Hessian.
         self.tables.get_or_init(|| {
             let (points, nodes) = (self.weights.len(), self.pieces.nodes);
             let mut tables = [0; 3].map(|_| Matrix::zeros(points, nodes));
@@ -182,6 +187,7 @@ impl Cell for PiecedCell {
     }
 
     fn tangents(&self, x: &[Point]) -> Vec<[Point; 2]> {
+        // On a piece the surface is known over (s, t): its tangents are turned into those over (u, v) by the chain rule.
         let all = Pieces::transformed(&self.pieces.spread, x);
         let mut tangents: Vec<[Point; 2]> =
             all.chunks_exact(self.pieces.each()).flat_map(|piece| self.product.tangents(piece)).collect();
@@ -192,6 +198,7 @@ impl Cell for PiecedCell {
     }
 
     fn adjoint(&self, pairs: &[[Point; 2]]) -> Vec<Point> {
+        // The transpose of what `tangents` does, factor by factor: first the chain rule, then the pieces, then the spread.
         let turned: Vec<[Point; 2]> = pairs
             .iter()
             .zip(&self.inverse)

@@ -110,6 +110,7 @@ impl ProductCell {
 
     /// The smallest ranges of rows and columns that hold all nodes wanted.
     fn window(&self, wanted: impl Fn(usize) -> bool) -> [Range; 2] {
+        // Fixed nodes are mostly those of the rim: without their rows and columns the sums are as small as the unknowns.
         let columns = self.v.functions();
         let of = |place: &dyn Fn(usize) -> usize| {
             let places = || (0..self.nodes()).filter(|&node| wanted(node)).map(place);
@@ -166,12 +167,14 @@ impl Cell for ProductCell {
         let index = numbered(wanted.iter().map(|w| usize::from(*w)));
         let mut matrix = Matrix::zeros(index.1, index.1);
         let field = |k: usize| forms.iter().map(|form| form[k]).collect::<Vec<f64>>();
+        // One component: the form (a, b, c) at a point weighs ∂u∂u, ∂u∂v + ∂v∂u and ∂v∂v.
         let fields = Fields { symmetric: 1, full: 1, uu: field(0), vv: field(2), uv: field(1) };
         let (columns, width) = (self.v.functions(), window[1].len());
         let node = |i: usize, j: usize| (window[0].start + i) * columns + window[1].start + j;
         self.pairs(&window).contract(&fields, |i, k, sums| {
             for l in (0..width).filter(|&l| wanted[node(k, l)]) {
                 let row = matrix.row_mut(index.0[node(k, l)]);
+                // For i = k the sums hold (j, l) and (l, j): only j ≥ l is wanted. For i > k every j.
                 for j in (if k < i { 0 } else { l }..width).filter(|&j| wanted[node(i, j)]) {
                     row[index.0[node(i, j)]] = sums.symmetric(0, l)[j] + sums.full(0, l)[j];
                 }
@@ -185,6 +188,7 @@ impl Cell for ProductCell {
         let index = numbered(wanted.iter().map(|w| usize::from(*w)));
         let (g, f) = (&self.v.values, &self.u.values);
         let (of_u, of_v) = (products(f, f, &window[0]), products(g, g, &window[1]));
+        // Points of v × points of u: products sum over the rows of both factors.
         let by_v = Matrix::from_fn(self.v.points(), self.u.points(), |b, a| factors[a * self.v.points() + b]);
         let mut lines = Matrix::zeros(self.u.points(), of_v.cols());
         add_product(&mut lines, &by_v, &of_v);
@@ -212,15 +216,18 @@ impl Cell for ProductCell {
         let window = self.window(|node| freedoms[node] != Freedom::Fixed);
         let (index, size) = numbered(freedoms.iter().map(|freedom| freedom.directions().len()));
         let fields = self.hessian_fields(tangents)?;
+        // Not cleared: every entry of the upper triangle is set once, then mirrored.
         if (matrix.rows(), matrix.cols()) != (size, size) {
             *matrix = Matrix::zeros(size, size);
         }
         let (columns, width) = (self.v.functions(), window[1].len());
         let node = |i: usize, j: usize| (window[0].start + i) * columns + window[1].start + j;
+        // Rows of nodes that move in all three directions have their entries side by side: they are filled without asking each node.
         let is_free = |i: usize| (0..width).all(|j| freedoms[node(i, j)] == Freedom::Free);
         let free: Vec<bool> = (0..window[0].len()).map(is_free).collect();
         self.pairs(&window).contract(&fields, |i, k, sums| {
             for l in 0..width {
+                // (k, l) gives the rows and (i, j) ≥ (k, l), in the order of the nodes, the columns: the upper triangle.
                 let from = if k < i { 0 } else { l };
                 let first = index[node(k, l)];
                 if free[i] && free[k] {
@@ -230,6 +237,7 @@ impl Cell for ProductCell {
                         for a in 0..3 {
                             let (same, mixed) = (sums.symmetric(SYMMETRIC[a][b], l), sums.full(3 * a + b, l));
                             let entries = same.iter().zip(mixed).skip(from);
+                            // The unknowns of a node follow one another: coordinate a of node j at 3 j + a.
                             row.iter_mut()
                                 .skip(a)
                                 .step_by(3)
@@ -261,6 +269,7 @@ impl Cell for ProductCell {
 impl ProductCell {
     /// The products of pairs of functions over a window.
     fn pairs(&self, window: &[Range; 2]) -> Cow<'_, Pairs> {
+        // Hessians ask for the same window step after step: it is tabulated once. Another window is rare and pays for itself.
         let first = self.pairs.get_or_init(|| Pairs::new(self.samples(), window.clone()));
         match first.window() == window {
             true => Cow::Borrowed(first),

@@ -103,6 +103,7 @@ impl Cell for SampledCell {
     fn stiffness(&self, wanted: &[bool], forms: &[[f64; 3]]) -> Matrix {
         let wanted = chosen(wanted);
         let (u, v) = (select(&self.u, &wanted), select(&self.v, &wanted));
+        // (∂u, ∂v) form (∂u, ∂v)ᵀ = ∂uᵀ (f₀ ∂u + f₁ ∂v) + ∂vᵀ (f₁ ∂u + f₂ ∂v): two products in place of four.
         let mix = |a: usize, b: usize| {
             Matrix::from_fn(u.rows(), u.cols(), |p, k| forms[p][a] * u[(p, k)] + forms[p][b] * v[(p, k)])
         };
@@ -128,12 +129,15 @@ impl Cell for SampledCell {
         let of_node = |(node, freedom): (usize, &Freedom)| {
             freedom.directions().iter().map(move |&d| (node, d)).collect::<Vec<_>>()
         };
+        // Node after node, its directions one after the other: the order of rows and columns.
         let unknowns: Vec<(usize, Point)> = freedoms.iter().enumerate().flat_map(of_node).collect();
         let moving = chosen(&freedoms.iter().map(|f| *f != Freedom::Fixed).collect::<Vec<_>>());
+        // The Hessian is kept from step to step: memory is asked for once.
         if (hessian.rows(), hessian.cols()) != (unknowns.len(), unknowns.len()) {
             *hessian = Matrix::zeros(unknowns.len(), unknowns.len());
         }
         hessian.as_mut_slice().fill(0.0);
+        // The skew part depends on nodes alone, not on directions: it is summed over N² nodes and then spread over (3N)².
         let mut skew = vec![0.0; AXES * moving.len() * moving.len()];
         for first in (0..tangents.len()).step_by(BATCH) {
             let batch = first..(first + BATCH).min(tangents.len());
@@ -163,12 +167,14 @@ impl SampledCell {
     ) -> Result<(), EnergyError> {
         let count = batch.len();
         // a'' = G ᵀG + N · (φ_u × ψ_v + ψ_u × φ_v), G the two tangential components of δ(x_u × x_v) over √a.
+        // GᵀG is positive semidefinite: all that is indefinite in the area comes from the second part.
         let (mut left, mut right) =
             (Left::new(2 * count, unknowns.len()), Right::new(2 * count, unknowns.len()));
         let (mut by_u, mut by_v) = (Left::new(count, moving.len()), Right::new(count, AXES * moving.len()));
         for (at, p) in batch.enumerate() {
             let ([x_u, x_v], w) = (tangents[p], self.weights[p]);
             let (density, _, _) = Density::slope(x_u, x_v).ok_or_else(|| self.singular(p))?;
+            // Any frame of the tangent plane gives the same GᵀG: x_u, turned by a right angle about the normal.
             let frame = x_u.cross(x_v).unit().zip(x_u.unit());
             let Some((normal, first)) = frame else { return Err(self.singular(p)) };
             let root = (w / density).sqrt();
@@ -183,6 +189,7 @@ impl SampledCell {
             }
             let of_u: Vec<f64> = moving.iter().map(|&node| f_u[node]).collect();
             by_u.set_point(at, &of_u);
+            // The normal is weighted on one side only, as it enters once.
             let weighted = <[f64; 3]>::from(normal * w);
             let of_v: Vec<f64> =
                 weighted.iter().flat_map(|n| moving.iter().map(move |&node| n * f_v[node])).collect();
