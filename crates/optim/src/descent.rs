@@ -127,6 +127,7 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
     /// Descends to the end and reports.
     pub(crate) fn finish(mut self) -> Polished {
         let reason = if self.at.is_finite() { self.descend() } else { PolishReason::NotFinite };
+        // Where values are blurred the last iterate need not be the best one: that of the least residual is.
         if self.calm < self.residual(&self.at) {
             swap(&mut self.at, &mut self.calmest);
         }
@@ -152,6 +153,7 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
         loop {
             let residual = self.residual(&self.at);
             self.remember(residual);
+            // Widths times gradient have the unit of the value: the quotient has none.
             if residual <= self.polish.tolerance * self.at.value.abs() {
                 return PolishReason::Stationary;
             }
@@ -167,12 +169,15 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
             }
             let slope = dot(&self.at.gradient, &self.step);
             let search =
+                // A model that was not solved, or whose step does not fall, is as useless as a search that found nothing.
                 if solved && slope < 0.0 { self.search_line(slope, residual) } else { Search::Failed };
             match search {
                 Search::Budget => return PolishReason::Budget,
+                // With a fresh B the step was one of steepest descent in units of the box: nothing else is left to try.
                 Search::Failed if fresh || (solved && -slope <= self.at.noise()) => {
                     return PolishReason::Flat;
                 }
+                // Old curvature may have misled the step: forget it and try once more.
                 Search::Failed => {
                     fresh = true;
                     self.hessian.reset(curvature, &self.widths);
@@ -216,13 +221,16 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
             yy += (y * self.widths[i]).powi(2);
         }
         let sy = dot(&self.step, &self.change);
+        // B stays positive definite only with positive curvature along the step; below rounding the pair teaches nothing.
         if sy.is_nan() || sy <= f64::EPSILON * (ss * yy).sqrt() {
             return;
         }
+        // The first pair sets the scale of B before it is updated: as a multiple of the identity it was a guess.
         if *fresh {
             *curvature = yy / sy;
             self.hessian.reset(*curvature, &self.widths);
         }
+        // An update that is refused leaves the multiple of the identity, which is as fresh as before.
         *fresh = !self.hessian.update(&self.step, &self.change, ss > FAR * FAR) && *fresh;
     }
 
@@ -240,6 +248,7 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
                 return self.settle(low[0], Search::Failed);
             }
             self.evaluate_trial();
+            // Where the objective is not finite nothing is known but that the step was too long.
             if !self.trial.is_finite() {
                 high = a;
                 a = low[0] + 0.25 * (high - low[0]);
@@ -248,6 +257,7 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
             let decrease = self.at.value - self.trial.value;
             let predicted = -self.slope_to_trial();
             let steepness = self.slope_at_trial(a);
+            // Values that cannot be told apart do not count here: the gradient must have become gentler.
             if self.is_blurred() {
                 let halved = self.residual(&self.trial) <= 0.5 * residual;
                 let gentler = steepness.abs() <= STEEP * slope.abs();
@@ -255,12 +265,14 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
                 if halved || (gentler && patient) {
                     return Search::Found;
                 }
+                // The slope has turned: the next trial is its zero, by the secant.
                 if steepness > 0.0 && patient {
                     self.idle += 1;
                     a *= slope / (slope - steepness);
                     continue;
                 }
             }
+            // Armijo's condition, then Wolfe's on one side: the slope must have risen, so that the pair has positive curvature.
             if decrease > 0.0 && decrease >= SUFFICIENT * predicted {
                 if steepness >= STEEP * slope {
                     return Search::Found;
@@ -271,9 +283,11 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
                 a = next;
             } else {
                 high = a;
+                // The first trial still promises less than rounding: shorter ones would promise even less.
                 if low[0] == 0.0 && -slope * a <= self.at.noise() {
                     return Search::Failed;
                 }
+                // The cubic through both ends, but never so near an end that the interval hardly shrinks.
                 let width = high - low[0];
                 let guess = cubic_minimum(low, [a, self.trial.value, steepness]);
                 a = guess.clamp(low[0] + 0.05 * width, high - 0.2 * width);
@@ -295,12 +309,14 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
     fn place_trial(&mut self, a: f64) -> bool {
         let (lower, upper) = (self.bounds.lower(), self.bounds.upper());
         for i in 0..self.step.len() {
+            // The target itself, so that a component on its bound is there to the last bit and counts as held.
             self.trial.point[i] = if a == 1.0 {
                 self.target[i]
             } else {
                 (self.at.point[i] + a * self.step[i]).clamp(lower[i], upper[i])
             };
         }
+        // Beyond a = 1 all components may be clamped where they were for the last step: then longer steps change nothing.
         self.trial.point != self.at.point && (a <= 1.0 || self.trial.point != self.short.point)
     }
 
@@ -372,6 +388,7 @@ fn cubic_minimum([a0, f0, s0]: [f64; 3], [a1, f1, s1]: [f64; 3]) -> f64 {
     let width = a1 - a0;
     let d1 = s0 + s1 - 3.0 * (f1 - f0) / width;
     let d2 = (d1 * d1 - s0 * s1).sqrt();
+    // The root is NaN where the cubic has no minimum.
     let minimum = a1 - width * (s1 + d2 - d1) / (s1 - s0 + 2.0 * d2);
     if minimum.is_finite() { minimum } else { 0.5 * (a0 + a1) }
 }

@@ -228,6 +228,7 @@ impl Pso {
         let reason = loop {
             swarm.evaluate(objective, batch);
             swarm.remember();
+            // The initialisation is iteration 0.
             let iteration = history.len();
             if history.last().is_some_and(|&before| swarm.best_value() < before) {
                 last_improvement = iteration;
@@ -242,6 +243,7 @@ impl Pso {
                 evaluations: (self.particles * history.len()) as u64,
                 nan_evaluations: swarm.nan_evaluations,
             };
+            // Before the reasons to stop, so that the last iteration is shown, too.
             if observer.observe(&progress).is_break() {
                 break Reason::Observer;
             }
@@ -266,6 +268,7 @@ impl Pso {
     /// Why a run ends here, if it does.
     fn stop(&self, swarm: &Swarm<'_>, history: &[f64]) -> Option<Reason> {
         let iteration = history.len() - 1;
+        // In the order of what they tell: the budget, which tells nothing, last.
         let reason = if swarm.best_value() == f64::NEG_INFINITY {
             Reason::Unbounded
         } else if self.stagnation.is_some_and(|s| s.holds(history)) {

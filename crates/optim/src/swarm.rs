@@ -43,6 +43,7 @@ impl<'a> Swarm<'a> {
         let mut positions = Vec::with_capacity(coordinates);
         let mut velocities = Vec::with_capacity(coordinates);
         let mut streams = Vec::with_capacity(particles);
+        // The order of the draws is part of what a seed means: position, then velocity, particle after particle.
         for particle in 0..particles {
             let mut stream = source.stream(particle);
             positions.extend((0..dimension).map(|c| bounds.at(c, stream.uniform())));
@@ -74,11 +75,13 @@ impl<'a> Swarm<'a> {
     /// Moves every particle by the bests of the previous iteration.
     pub(crate) fn advance(&mut self, pso: &Pso) {
         let d = self.bounds.dimension();
+        // All informants are copied before anyone moves: iterations are synchronous.
         self.informants.update(&self.own_values);
         for (i, point) in self.informing_points.chunks_exact_mut(d).enumerate() {
             let j = self.informants.of(i);
             point.copy_from_slice(&self.own_points[j * d..(j + 1) * d]);
         }
+        // A particle's bytes in one piece: its stream advances by the same number whatever the loops below look like.
         let bytes = self.bytes.chunks_exact_mut(16 * d);
         for (stream, bytes) in self.streams.iter_mut().zip(bytes) {
             stream.fill_bytes(bytes);
@@ -119,6 +122,7 @@ impl<'a> Swarm<'a> {
             // A NaN compares as not less.
             if value < self.own_values[i] {
                 self.own_values[i] = value;
+            // Until something finite is seen the own best stays with the particle.
             } else if self.own_values[i] < f64::INFINITY {
                 continue;
             }
