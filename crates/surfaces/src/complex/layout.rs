@@ -149,6 +149,7 @@ impl Layout {
             edges: Vec::new(),
             by_ends: HashMap::new(),
         };
+        // Edges are numbered as the faces name them first: the same faces always give the same numbers.
         for (face, corners) in faces.iter().enumerate() {
             let edges = Side::ALL.map(|side| {
                 let ends = side.corners().map(|k| corners[k]);
@@ -186,6 +187,7 @@ impl Layout {
 
     /// The points of an edge from `ends[0]` to `ends[1]`, its vertices in either order.
     pub(super) fn run(&self, edge: usize, ends: [usize; 2]) -> Vec<usize> {
+        // Inner points follow the vertices, edge by edge, in the direction of the edge.
         let first = self.vertices + edge * (self.degree - 1);
         let mut run = vec![self.edges[edge].ends[0]];
         run.extend(first..first + self.degree - 1);
@@ -234,6 +236,7 @@ impl Layout {
                 let Face { vertices, edges, .. } = &self.faces[face];
                 let mut nodes = vec![0; n * n];
                 for (side, &edge) in Side::ALL.into_iter().zip(edges) {
+                    // Corners are written by two sides, with the same number.
                     let ends = side.corners().map(|k| vertices[k]);
                     for (k, node) in self.run(edge, ends).into_iter().enumerate() {
                         nodes[side.place(self.degree, k)] = node;
@@ -241,6 +244,7 @@ impl Layout {
                 }
                 for i in 1..self.degree {
                     for j in 1..self.degree {
+                        // Interiors stand behind all points that faces share: the order in which they can be condensed.
                         nodes[n * i + j] = skeleton + (face * inner + i - 1) * inner + j - 1;
                     }
                 }
@@ -264,6 +268,7 @@ fn check_size(degree: usize, faces: usize) -> Result<(), ComplexError> {
     if !(1..=Bezier::MAX_DEGREE).contains(&degree) {
         return Err(ComplexError::Degree { degree, max: Bezier::MAX_DEGREE });
     }
+    // Before anything is allocated.
     if faces.saturating_mul((degree + 1).pow(2)) > Complex::MAX_POINTS {
         return Err(ComplexError::TooLarge { faces, degree, max: Complex::MAX_POINTS });
     }

@@ -37,6 +37,7 @@ impl Limits {
     pub(super) fn fit(self, curve: &impl Analytic, cuts: &[f64]) -> Result<CurveFit, CurveError> {
         let interpolation = Interpolation::new(self.degree)?;
         let mut fit = CurveFit { pieces: Vec::new(), deviation: Deviation::default() };
+        // A stack with the first interval on top: pieces come out in the order of the curve, whatever is halved.
         let mut open: Vec<([f64; 2], usize)> = cuts.windows(2).map(|w| ([w[0], w[1]], 0)).rev().collect();
         while let Some(([from, to], halvings)) = open.pop() {
             let piece = piece(curve, &interpolation, [from, to], fit.pieces.last());
@@ -61,6 +62,7 @@ impl Limits {
     /// Fewer than `many` pieces of equal parameter intervals within the tolerance, if there are.
     pub(super) fn fewer(self, curve: &impl Analytic, many: usize) -> Option<CurveFit> {
         let interpolation = Interpolation::new(self.degree).ok()?;
+        // One by one while few are enough, then in strides: an attempt costs as much as its pieces.
         let counts = (1..many).filter(|count| *count <= 16 || count % 8 == 0);
         counts.into_iter().find_map(|count| {
             let mut fit = CurveFit { pieces: Vec::new(), deviation: Deviation::default() };
@@ -95,7 +97,7 @@ fn piece(
     interpolation.curve(start, at(1.0), at)
 }
 
-/// How far a piece is from the curve over an interval: at points between the nodes, each against the nearest point of
+/// How far a piece is from the curve over an interval: at four times as many points as nodes, each against the nearest point of
 /// the curve that Newton's method finds from its own parameter.
 fn deviation(curve: &impl Analytic, piece: &Bezier, [from, to]: [f64; 2]) -> Deviation {
     let count = 4 * piece.degree() + 5;
@@ -115,6 +117,7 @@ fn distance(curve: &impl Analytic, point: Point, start: f64) -> f64 {
     for _ in 0..4 {
         let CurveJet { point: here, d1, d2 } = curve.jet(t);
         let off = here - point;
+        // Half of the second derivative of the squared distance: where it is not positive Newton's step would climb.
         nearest = nearest.min(off.norm());
         let bend = d1.dot(d1) + off.dot(d2);
         if bend.is_nan() || bend <= 0.0 {

@@ -80,12 +80,14 @@ impl BoundaryCurve {
             Self::Through(samples) => sample_fit::fit(samples, degree)?,
             Self::Arc(arc) => {
                 let [from, to] = arc.angles();
+                // An angle of 90° or a multiple of it takes no further piece because of its rounding.
                 let quarters = ((to - from).abs() / std::f64::consts::FRAC_PI_2 - 1e-9).ceil().max(1.0);
                 let cuts: Vec<f64> = (0..=quarters as usize).map(|k| k as f64 / quarters).collect();
                 limits.fit(arc, &cuts)?
             }
         };
         if self.is_closed() {
+            // The last point is that of the curve at its end, equal to the first only to rounding.
             let start = fit.pieces[0].start();
             if let Some(last) = fit.pieces.last_mut().and_then(|piece| piece.points.last_mut()) {
                 *last = start;
@@ -101,6 +103,7 @@ fn segments(chain: &Polyline) -> Vec<Bezier> {
     let rounding = 4.0 * f64::EPSILON * chain.size();
     let mut kept = vec![points[0]];
     for k in 1..points.len() - 1 {
+        // Against the last point kept, not against the one before: else a slow bend would pass point by point.
         let (before, here, next) = (kept[kept.len() - 1], points[k], points[k + 1]);
         let forward = (here - before).dot(next - here) > 0.0;
         let direction = (next - before).unit().unwrap_or_default();

@@ -13,7 +13,9 @@ pub(super) fn fit(samples: &Samples, degree: usize) -> Result<CurveFit, CurveErr
     let interpolations = (1..=degree).map(Interpolation::new).collect::<Result<Vec<_>, _>>()?;
     let points = samples.points();
     let is_closed = points[0] == points[points.len() - 1];
+    // Four sides are the least that a closed curve is cut into.
     let mut count = if is_closed { 4 } else { 1 };
+    // With fewer than two samples a piece there is nothing left to smooth.
     while 2 * count < points.len() {
         if let Some(fit) = in_pieces(samples, count, &interpolations) {
             return Ok(fit);
@@ -33,10 +35,12 @@ fn in_pieces(samples: &Samples, count: usize, interpolations: &[Interpolation]) 
         let length = samples.chain().length() * (k as f64 / count as f64);
         let above = lengths.partition_point(|l| *l < length).min(last);
         let below = above.saturating_sub(1);
+        // The sample nearest to this share of the length: pieces begin and end at samples.
         if length - lengths[below] < lengths[above] - length { below } else { above }
     };
     let mut cuts: Vec<usize> = (0..=count).map(cut).collect();
     cuts[count] = last;
+    // Two cuts at one sample would be a piece of no length.
     cuts.dedup();
     let mut fit = CurveFit { pieces: Vec::new(), deviation: Deviation::default() };
     for ends in cuts.windows(2) {
@@ -107,6 +111,7 @@ impl Part<'_> {
         let inner = 1..last;
         let bump: Vec<f64> = inner.clone().map(|k| parameters[k] * (1.0 - parameters[k])).collect();
         let t: Vec<f64> = parameters[inner.clone()].to_vec();
+        // What is left to fit. Each term is taken off as soon as it is known, so that the next one sees its rounding, too.
         let mut off: Vec<Point> =
             inner.map(|k| self.points[k] - (start * (1.0 - parameters[k]) + end * parameters[k])).collect();
         let mut terms: Vec<Term> = Vec::new();
@@ -122,6 +127,7 @@ impl Part<'_> {
                 break;
             }
             let center = weigh(&|i| t[i]) / norm;
+            // Monic orthogonal polynomials: the factor of the one before the last is the quotient of their squared norms.
             let back = if k == 0 { 0.0 } else { norm / last_norm };
             let mut coefficient = Point::ZERO;
             for i in 0..t.len() {
@@ -140,6 +146,7 @@ impl Part<'_> {
     /// Distances of the samples from the curve, and their integral along the chords.
     fn deviation(&self, paired: &Paired) -> Deviation {
         let mut sum = Deviation::default();
+        // The ends are met exactly.
         for k in 1..self.points.len() - 1 {
             let [before, here, next] = [k - 1, k, k + 1].map(|k| self.points[k]);
             let distance = here.distance(paired.curve.point(paired.parameters[k]));
@@ -154,6 +161,7 @@ impl Part<'_> {
     fn turns_back(&self, Paired { curve, parameters }: &Paired) -> bool {
         let (mut a, mut b) = (0, 1);
         while b < self.points.len() {
+            // Between samples within the noise the chord has no direction worth a test: they are passed over until it has.
             let chord = self.points[b] - self.points[a];
             if chord.norm() > 4.0 * self.tolerance || b + 1 == self.points.len() {
                 let (from, to) = (parameters[a], parameters[b]);

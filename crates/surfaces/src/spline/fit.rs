@@ -106,6 +106,7 @@ impl Grid<'_> {
         let asked = tolerance * size;
         // Each direction alone first, to half the tolerance; then both, finer until the whole is within it.
         let mut places = [self.segments(0, 0.5 * asked)?, self.segments(1, 0.5 * asked)?];
+        // The finer direction gives way first.
         while self.control_points(places) > LARGEST_NET {
             let finer = usize::from(places[1] > places[0]);
             places[finer] = places[finer].checked_sub(1).ok_or(SplineFitError::TooManyPieces)?;
@@ -159,6 +160,7 @@ impl Grid<'_> {
             let mut worst: f64 = 0.0;
             for ends in refined(cuts, count).windows(2) {
                 let (start, end) = (ends[0], ends[1]);
+                // Both ends first, then three points inside.
                 let shares = [0.0, 1.0, 0.3, 0.5, 0.7];
                 let along = shares.map(|x| if x == 1.0 { end } else { start + x * (end - start) });
                 let jets = if direction == 0 {
@@ -168,6 +170,7 @@ impl Grid<'_> {
                 };
                 let jet = |a: usize, b: usize| {
                     let jet =
+                        // Jets come row by row with u, whichever direction is looked at.
                         if direction == 0 { jets[a * across.len() + b] } else { jets[b * along.len() + a] };
                     (jet.point, if direction == 0 { [jet.u, jet.uu] } else { [jet.v, jet.vv] })
                 };
@@ -184,6 +187,7 @@ impl Grid<'_> {
                     break;
                 }
             }
+            // The other direction has at least two knots, hence six control points: 3 (pieces · count + 1) · 6.
             if worst <= asked || 18 * (pieces * count + 1) > LARGEST_NET {
                 return Ok(place);
             }
@@ -206,9 +210,11 @@ impl Grid<'_> {
                 at[d] * segments[d]..(at[d] + 1) * segments[d] + usize::from(last)
             });
             for product in patch.products() {
+                // A patch keeps its own rectangle, which need not begin where its cut does.
                 let shift = [0, 1].map(|d| starts[d] - self.cuts[d][at[d]]);
                 let f = coefficients(product.u.as_ref(), &knots[0], own[0].clone(), shift[0]);
                 let g = coefficients(product.v.as_ref(), &knots[1], own[1].clone(), shift[1]);
+                // Sums over u first: a row of the net once for all control values along v.
                 for a in 0..f.rows() {
                     let curve: Vec<Point> = (0..net.cols())
                         .map(|j| sum((0..net.rows()).map(|i| net.point(i, j) * f[(a, i)])))
@@ -249,8 +255,10 @@ fn coefficients(family: &dyn Basis, knots: &[f64], own: std::ops::Range<usize>, 
     let mut rows = Matrix::zeros(3 * own.len(), family.count());
     for (row, k) in own.enumerate() {
         let t = knots[k];
+        // At an end the missing neighbour is the knot itself, which is there six times: the control value is the end point.
         let (l, r) = (knots[k.saturating_sub(1)] - t, knots[(k + 1).min(knots.len() - 1)] - t);
         let (start, end) = family.domain();
+        // The shift rounds: an end of the domain must not fall outside it.
         let table = family.evaluate((t + shift).clamp(start, end), 2);
         for (c, (x, y)) in [(l, l), (l, r), (r, r)].into_iter().enumerate() {
             for i in 0..family.count() {
@@ -264,6 +272,7 @@ fn coefficients(family: &dyn Basis, knots: &[f64], own: std::ops::Range<usize>, 
 
 /// The quintic with given point, first and second derivative at both ends of an interval of length h, at its share x.
 fn hermite((p, [p1, p2]): (Point, [Point; 2]), (q, [q1, q2]): (Point, [Point; 2]), x: f64, h: f64) -> Point {
+    // The Bézier points of the quintic: the same blossoms with the other end as neighbour.
     let start = [p, p + p1 * (h / 5.0), p + p1 * (0.4 * h) + p2 * (h * h / 20.0)];
     let end = [q + q1 * (-0.4 * h) + q2 * (h * h / 20.0), q + q1 * (-h / 5.0), q];
     let y = 1.0 - x;
