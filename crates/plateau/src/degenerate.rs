@@ -77,6 +77,7 @@ fn found(boundary: &Boundary, origin: Point) -> Vec<Degeneracy> {
     let sides: Vec<Side> = names.iter().zip(points).map(|(name, points)| Side::new(name, points)).collect();
     let all: Vec<Point> = sides.iter().flat_map(|side| side.points.iter().copied()).collect();
     let first = all[0];
+    // The extent from a first point is at least half of the largest distance, and at most that.
     let farthest =
         all.iter().copied().fold(first, |q, p| if p.distance(first) > q.distance(first) { p } else { q });
     let (extent, distance) =
@@ -85,6 +86,7 @@ fn found(boundary: &Boundary, origin: Point) -> Vec<Degeneracy> {
     if extent <= tiny {
         return vec![Degeneracy::OnePoint { at: first }];
     }
+    // The gravest first: what comes later is looked for only where nothing before explains it.
     let mut found = Vec::new();
     // First, for what follows is then no more than its coordinates can tell.
     found.extend(far(extent, distance));
@@ -102,6 +104,7 @@ fn found(boundary: &Boundary, origin: Point) -> Vec<Degeneracy> {
     for (k, (name, ends)) in corners.iter().enumerate() {
         let here = corner_point(&sides, ends[0]);
         for (other, other_ends) in &corners[..k] {
+            // Corners joined by a side that is a point are one by intention, and were told above.
             let joined =
                 sides.iter().any(|side| side.is_point(tiny) && side.points[0].distance(here) <= tiny);
             if corner_point(&sides, other_ends[0]).distance(here) <= tiny && !joined {
@@ -109,6 +112,7 @@ fn found(boundary: &Boundary, origin: Point) -> Vec<Degeneracy> {
                 found.push(Degeneracy::Pinched { first: other, second: name, at: here });
             }
         }
+        // Parallel tangents are a consequence where sides are points or coincide.
         if !grave {
             found.extend(singular_corner(&sides, name, *ends, tiny));
         }
@@ -148,6 +152,7 @@ fn singular_corner(
     ends: [(usize, bool); 2],
     tiny: f64,
 ) -> Option<Degeneracy> {
+    // The first step of each side away from the corner: the tangents of the patch there.
     let leave = ends.map(|(k, at_end)| {
         let points = &sides[k].points;
         let n = points.len();
@@ -172,6 +177,7 @@ fn folds(sides: &[Side], corners: usize, tiny: f64) -> Vec<Degeneracy> {
     let mut found = Vec::new();
     for (side, curve) in sides.iter().zip(&curves) {
         let back = curve.windows(3).find(|p| {
+            // A turn of more than about 154° between two of 47 pieces is no bend of a smooth curve.
             let (a, b) = (p[1] - p[0], p[2] - p[1]);
             a.dot(b) < -0.9 * a.norm() * b.norm() && a.norm().min(b.norm()) > tiny
         });

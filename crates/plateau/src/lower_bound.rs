@@ -136,6 +136,7 @@ pub fn lower_bound(complex: &Complex) -> Result<LowerBound, NoBound> {
 pub fn lower_bound_of_net(border: &Net, surface: &Net) -> Result<LowerBound, NoBound> {
     let degree_of = |net: &Net| net.degrees().0.max(net.degrees().1);
     let degree = (degree_of(surface) + HIGHER).min(HIGHEST).max(degree_of(surface));
+    // The faces of the surface itself, over its own rim: that of the border but for rounding.
     let with_inside = one_face(surface).and_then(|(complex, net)| {
         let mut points = complex.points().to_vec();
         for (&node, &point) in complex.faces()[0].nodes().iter().zip(net.points()) {
@@ -145,6 +146,7 @@ pub fn lower_bound_of_net(border: &Net, surface: &Net) -> Result<LowerBound, NoB
     });
     let over_border = one_face(border).map(|(complex, _)| complex)?;
     // The border is that of the net but for the rounding of its raising.
+    // Degrees are raised one by one; each raising rounds every control point once.
     let raised = moved(&over_border, degree_of(surface) - border.degrees().0.min(border.degrees().1));
     let mut bound = of_first([Ok(over_border), with_inside], degree)?;
     bound.value -= raised;
@@ -158,6 +160,7 @@ fn of_first<const N: usize>(
 ) -> Result<LowerBound, NoBound> {
     let mut why = NoBound::NoGraph;
     for surface in surfaces {
+        // Quarters first: the bound is nearer to the area where they succeed.
         let bound = surface.and_then(|surface| match of_quarters(&surface, degree) {
             Some(Ok(bound)) => Ok(bound),
             Some(Err(_)) | None => of_faces(&surface, degree),
@@ -188,6 +191,7 @@ fn moved(complex: &Complex, roundings: usize) -> f64 {
     let length: f64 = polygons
         .map(|curve| curve.points().windows(2).map(|ends| ends[0].distance(ends[1])).sum::<f64>())
         .sum();
+    // Each point moves by a rounding of its distance from the origin, and sweeps that times the length of the rim.
     8.0 * roundings as f64 * f64::EPSILON * reach * length
 }
 
@@ -204,6 +208,7 @@ fn of_faces(complex: &Complex, degree: usize) -> Result<LowerBound, NoBound> {
     let plane = plane(complex)?.ok_or(NoBound::NoGraph)?;
     let calibration = Calibration::new(complex, &plane, degree, 2 * degree)?.ok_or(NoBound::NoGraph)?;
     let best = potential(&calibration)?;
+    // Where the surface is steep |∇ψ| is near 1, and above it by rounding: shrunk a little it can be proved, at a loss of that share.
     let mut last = None;
     for shrink in SHRINKING {
         let potential: Vec<f64> = best.iter().map(|c| c * (1.0 - shrink)).collect();
@@ -218,6 +223,7 @@ fn of_faces(complex: &Complex, degree: usize) -> Result<LowerBound, NoBound> {
                 let faces = complex.faces().iter().zip(raised.faces()).map(face).collect();
                 return Ok(LowerBound { value, competitors, plane, faces });
             }
+            // Too steep: shrink more. Any other reason stays whatever the potential.
             Err(why @ Unproved::Steep { .. }) => last = Some(why),
             Err(why) => return Err(why.into()),
         }
@@ -268,6 +274,7 @@ fn one_face(net: &Net) -> Result<(Complex, Net), NoBound> {
 /// A plane to which every normal of the surface leans, with its normal on their side; none if there is none. That across the mean
 /// of the normals, which the rim determines, is turned towards the one furthest from it until all are on its side.
 fn plane(complex: &Complex) -> Result<Option<Plane>, NoBound> {
+    // Where all normals lean to one side the projection to the plane across it keeps its orientation.
     let mut normals = Vec::new();
     let samples = complex.degree() + 2;
     for face in 0..complex.faces().len() {
@@ -288,6 +295,7 @@ fn plane(complex: &Complex) -> Result<Option<Plane>, NoBound> {
         if lean(worst) > 1e-3 {
             return Ok(Some(plane));
         }
+        // Turned towards the worst one until that leans by 0.2; others may then lean less, and are next.
         sum = plane.axes[2] + *worst * (0.2 - lean(worst));
     }
     Ok(None)
@@ -295,10 +303,12 @@ fn plane(complex: &Complex) -> Result<Option<Plane>, NoBound> {
 
 /// Twice `∫ N dA = ½ ∮ x × dx`, which only the rim decides.
 fn area_vector(complex: &Complex) -> Result<Point, NoBound> {
+    // The integrand has degree 2p − 1: exact with p points.
     let rule = GaussLegendre::new(complex.degree()).map_err(EnergyError::from)?.on(0.0, 1.0);
     let origin = complex.points()[0];
     let mut sum = Point::ZERO;
     for (number, edge) in complex.edges().iter().enumerate() {
+        // Inner edges are run through in both senses and cancel.
         let [only] = edge.uses() else { continue };
         let curve = complex.edge_curve(number);
         let backwards = only.reversed == only.side.runs_round();
@@ -315,6 +325,7 @@ fn potential(calibration: &Calibration) -> Result<Vec<f64>, NoBound> {
     let (matrix, rhs) = calibration.fit();
     let mut psi = solved(&matrix, &rhs)?;
     let mut value = calibration.value(&psi);
+    // The fit may be too steep at some points; ψ = 0 is not, so shrinking comes to an end.
     while value.is_none() {
         psi.iter_mut().for_each(|c| *c *= 0.95);
         value = calibration.value(&psi);
@@ -322,7 +333,9 @@ fn potential(calibration: &Calibration) -> Result<Vec<f64>, NoBound> {
     let Some(mut value) = value else { return Ok(psi) };
     for _ in 0..STEPS {
         let (gradient, hessian) = calibration.derivatives(&psi);
+        // Newton for a concave function: `derivatives` gives the negative Hessian, so the step goes up.
         let step = solved(&hessian, &gradient)?;
+        // Outside of |∇ψ| < 1 there is no value: such lengths are halved like those that do not rise.
         let risen = (0..HALVINGS).map(|k| 0.5f64.powi(k)).find_map(|length| {
             let next: Vec<f64> = psi.iter().zip(&step).map(|(c, s)| c + length * s).collect();
             calibration.value(&next).filter(|&reached| reached > value).map(|reached| (next, reached))
@@ -339,6 +352,7 @@ fn potential(calibration: &Calibration) -> Result<Vec<f64>, NoBound> {
 
 /// The solution whose first coefficient is 0: constants are the kernel of both matrices.
 fn solved(matrix: &Matrix, rhs: &[f64]) -> Result<Vec<f64>, SolveError> {
+    // Without its first row and column the matrix is definite: the constant is held.
     let n = rhs.len() - 1;
     let mut reduced: Vec<f64> = (1..=n).flat_map(|i| matrix.row(i)[1..].to_vec()).collect();
     let solution = match solve_spd(n, &reduced, 1, &rhs[1..]) {
@@ -360,9 +374,11 @@ fn is_convex(complex: &Complex, plane: &Plane) -> bool {
         .map(|(a, b)| [b[0] - a[0], b[1] - a[1]])
         .filter(|s| s[0] != 0.0 || s[1] != 0.0)
         .collect();
+    // A convex curve turns left by 2π in all; more would be a curve that winds twice.
     let mut turned = 0.0;
     for (k, a) in steps.iter().enumerate() {
         let b = steps[(k + 1) % steps.len()];
+        // The control polygon of a Bézier curve turns at least as much as the curve: if it never turns right, nor does the curve.
         let (cross, along) = (a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
         let rounding = 64.0 * f64::EPSILON * complex.size() * (a[0].hypot(a[1]) + b[0].hypot(b[1]));
         if cross < -rounding {

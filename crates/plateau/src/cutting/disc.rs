@@ -12,6 +12,7 @@ const MOST_PIECES: usize = 4;
 pub(super) fn cut(around: &Loop, cutting: &Cutting) -> Result<Quads, CuttingError> {
     let rim = Rim::uncrossed(around, cutting)?;
     let corners = rim.corner_vertices();
+    // A way that was asked for is refused with what it needs rather than replaced by another.
     let way = cutting.way.unwrap_or_else(|| chosen(&rim, &corners));
     if way == Way::Parts {
         return parts::cut(rim, cutting);
@@ -67,6 +68,7 @@ fn with_sides(mut rim: Rim, corners: &[usize], wanted: impl Fn(usize) -> usize) 
 
 fn grid(rim: Rim, corners: &[usize]) -> Blueprint {
     let have: Vec<usize> = (0..4).map(|k| side_len(&rim, corners, k)).collect();
+    // Opposite sides of a grid have the same number of pieces.
     let wanted = |k: usize| have[k].max(have[(k + 2) % 4]);
     let (columns, rows) = (wanted(0), wanted(1));
     let rim = with_sides(rim, corners, wanted);
@@ -83,6 +85,7 @@ fn grid(rim: Rim, corners: &[usize]) -> Blueprint {
 
 fn midpoint(rim: Rim, corners: &[usize]) -> Blueprint {
     let most = (0..corners.len()).map(|k| side_len(&rim, corners, k)).max().unwrap_or(1);
+    // Each side is halved at a vertex: its number of pieces must be even.
     let half = most.div_ceil(2);
     let rim = with_sides(rim, corners, |_| 2 * half);
     let mut blueprint = Blueprint::default();
@@ -94,12 +97,14 @@ fn midpoint(rim: Rim, corners: &[usize]) -> Blueprint {
 fn ring(rim: Rim, way: Way) -> Blueprint {
     let mut rim = rim.with_at_least(4);
     let mut blueprint = Blueprint::default();
+    // Four pieces are a ring as they are; turned, or with more, every piece is halved so that the inner polygon conforms.
     if rim.len() == 4 && way == Way::Ring {
         let ring = blueprint.ring(&rim.pieces, |k| format!("v{k}"));
         blueprint.ring_of_four([ring[0], ring[1], ring[2], ring[3]]);
         return blueprint;
     }
     for k in 0..rim.len() {
+        // All pieces before it are two by now: piece k stands at 2 k.
         rim.halve(2 * k);
     }
     let ring = blueprint.ring(&rim.pieces, |k| format!("v{k}"));

@@ -186,6 +186,7 @@ impl CurveGraph {
     /// Puts every vertex at the end of a curve to its place: where it is given, else where the first curve ends.
     fn weld(&mut self) -> Result<(), CuttingError> {
         let mut met = vec![false; self.vertices.len()];
+        // Where a vertex has no place, the first curve that ends there gives it one, and all others are held against that.
         for (curve, GraphCurve { ends, curve: given }) in self.curves.iter().enumerate() {
             for (&vertex, end) in ends.iter().zip([given.start(), given.end()]) {
                 let place = match self.vertices[vertex] {
@@ -217,6 +218,7 @@ impl CurveGraph {
                 deviation = deviation.and(fit.deviation());
                 pieces.extend_from_slice(fit.pieces());
             }
+            // The ends are put on the vertices, so that curves meet bit for bit; what that moves counts as deviation.
             for (&vertex, at) in ends.iter().zip([0, pieces.len() - 1]) {
                 let (Vertex::Fixed(point) | Vertex::Free(Some(point))) = self.vertices[vertex] else {
                     continue;
@@ -244,6 +246,7 @@ pub(super) fn cut(graph: &CurveGraph, cutting: &Cutting) -> Result<(Quads, f64),
     }
     let (mut pieces, deviation) = graph.pieces(cutting)?;
     check_count(pieces.iter().map(Vec::len).sum())?;
+    // All sides of all faces in the same even number of pieces: then any two faces conform along any edge.
     let half = even(&mut pieces);
     let mut blueprint = Blueprint::default();
     for (name, &vertex) in graph.names.iter().zip(&graph.vertices) {
@@ -265,15 +268,18 @@ pub(super) fn cut(graph: &CurveGraph, cutting: &Cutting) -> Result<(Quads, f64),
         for FaceSide { ends, curve } in sides {
             let run = match curve {
                 Some(curve) => &along[*curve],
+                // A free edge gets its inner vertices once, from the smaller end on; the second face finds them again.
                 None => free.entry(sorted(*ends)).or_insert_with_key(|[a, b]| {
                     let inner = (1..2 * half).map(|_| blueprint.free()).collect();
                     [vec![*a], inner, vec![*b]].concat()
                 }),
             };
+            // Runs go from the first end of the curve: a face may walk them backwards.
             let mut run = run.clone();
             if run[0] != ends[0] {
                 run.reverse();
             }
+            // Without the last vertex, which is the first of the next side.
             ring.extend_from_slice(&run[..2 * half]);
         }
         let cut = cut_of_face(&blueprint, &ring, half, cutting);

@@ -227,6 +227,7 @@ impl Fill {
             _ => (self.solved(&cutting.loops(loops)?, progress)?, Vec::new()),
         };
         let mut one_by_one = None;
+        // The two discs are always solved: that they have less area is a figure of its own, whatever the annulus does.
         if let ([first, second], FillEnergy::Area) = (loops, self.energy) {
             let cutting = cutting.with_way(None);
             let discs = [first, second].map(|one| self.disc(one, cutting, progress));
@@ -299,6 +300,7 @@ impl Fill {
         origin: Point,
         progress: &dyn Progress,
     ) -> Result<Film, MethodError> {
+        // Layer after layer: one that does not lower the area leaves the solution as it is.
         for _ in 0..self.layers {
             solution = self.layered(solution, progress)?;
         }
@@ -343,6 +345,7 @@ impl Fill {
         {
             film.warnings.push(Warning::Inaccurate { accuracy, degree: film.complex.degree() });
         }
+        // Figures are made near the origin, where nothing cancels; only then the film goes to where it was given.
         let mut film = film.moved(origin)?;
         // A proof speaks of the points as they are written.
         if self.bound {

@@ -73,6 +73,7 @@ impl Assembly<'_> {
             area += of_lines;
             weight += of_cell;
         }
+        // The mean is area / weight: the quotient has no unit, nor does it depend on the interval of the parameters.
         (area, if area > 0.0 { least * weight / area } else { 0.0 })
     }
 
@@ -119,6 +120,7 @@ impl Unknowns {
             first.push(count);
             count += freedom.directions().len();
         }
+        // Nodes of the skeleton come first, hence their unknowns, too.
         let skeleton = first.get(topology.skeleton).copied().unwrap_or(count);
         let of_node = |&node: &usize| first[node]..first[node] + freedoms[node].directions().len();
         let cells: Vec<Vec<usize>> =
@@ -237,6 +239,7 @@ impl Unknowns {
                 for d in first.directions() {
                     let mut column = 0;
                     for (l, second) in moving.iter().enumerate() {
+                        // (d ψ, e χ) = (d · e) (ψ, χ): K acts on each coordinate by itself.
                         let entry = factor * metric[k * nodes + l];
                         for e in second.directions() {
                             matrix[row * size + column] += entry * d.dot(*e);

@@ -130,7 +130,9 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         if self.scalar.count() == 0 {
             return Ok(reached);
         }
+        // Another start may be tamer than where the last descent ended.
         self.rough = self.rules.first();
+        // Kept, because what control points near the border cost must not lead above it.
         let first = reached.surface.clone();
         self.corrections(&mut reached)?;
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
@@ -158,6 +160,7 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         }
         let cell = self.rules.cell(self.rules.first())?;
         let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
+        // The energy is quadratic: one step from any surface with the border ends at its minimum.
         let pull = assembly.pull(&assembly.tangents(x), form);
         let change = solve_vectors(&self.scalar, &assembly.stiffnesses(form), &pull)?;
         Ok(x.iter().zip(change).map(|(&x, d)| x - d).collect())

@@ -111,6 +111,7 @@ fn at_corners(
     if corners.is_empty() || by_degree.lowest.is_nan() {
         return Ok(by_degree.estimate);
     }
+    // Each layer comes with one degree more: layers alone would end at the error of the degree.
     let by_layers = sequence(complex.clone(), found, |lower| {
         let finer = graded(&lower.with_degree(lower.degree() + 1)?, &corners)?;
         improved(&Glued::new(&finer)?, &finer, progress)
@@ -189,6 +190,7 @@ pub fn excess_of_complex(complex: &Complex) -> Result<Option<f64>, MethodError> 
 }
 
 fn excess<S: Space>(space: &S, surface: &S::Surface) -> Result<Option<f64>, MethodError> {
+    // A loose tolerance: no step is made, and only the rule depends on it.
     let mut descent = Descent::new(space, 1e-6, &())?;
     let here = descent.rules.settled(space.nodes(surface)?)?;
     let (cell, topology) = (descent.rules.cell(here.points)?, space.topology());
@@ -203,6 +205,7 @@ fn excess<S: Space>(space: &S, surface: &S::Surface) -> Result<Option<f64>, Meth
     }
     let (gradient, mut hessians) = (unknowns.gather(&slopes), Vec::new());
     unknowns.hessians(&assembly, &here.tangents, &mut hessians)?;
+    // No shift: where H is indefinite there is no minimum near, and half of gᵀH⁻¹g means nothing.
     let mut step = gradient.clone();
     match unknowns.condensation().factor(&hessians.iter().map(Matrix::as_slice).collect::<Vec<_>>()) {
         Ok(factor) => factor.solve(1, &mut step)?,
@@ -223,6 +226,7 @@ fn improved<S: Space>(
     lower: &S::Surface,
     progress: &dyn Progress,
 ) -> Result<Improved<S::Surface>, MethodError> {
+    // Gains are differences of areas: these must be known beyond what degrees still gain.
     let mut descent = Descent::new(space, 1e-12, progress)?;
     let reached = descent.refined(space.nodes(lower)?, STEPS)?;
     let square = space.frame().unit().powi(2);
@@ -262,9 +266,11 @@ fn sequence<P>(
         // What is symmetric gains at every second degree only, and what falls off slowly is continued from further on.
         let (three, ..) = next(&two)?;
         let (_, fourth, _) = next(&three)?;
+        // Areas at every second degree: p, p + 2, p + 4.
         (gained, then) = (area - second, second - fourth);
         lowest = lowest.min(fourth);
     }
+    // The sum of a geometric series with these first two terms; a second gain below 0 is rounding.
     let estimate = match then > FALLING_TWO * gained {
         true => Err(NoEstimate::Slow { first: gained, second: then }),
         false => Ok(gained / (1.0 - then.max(0.0) / gained)),

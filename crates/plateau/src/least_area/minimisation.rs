@@ -48,6 +48,7 @@ pub(super) fn minimise<S: Space>(
     let reference = start.clone();
     let mut at_hand: Vec<Vec<Point>> =
         starts.iter().map(|surface| space.nodes(surface)).collect::<Result<_, _>>()?;
+    // Beside the Coons surface, whatever else is at hand: sometimes it is the better start.
     if form.is_none() && lower.is_none() {
         at_hand.push(descent.dirichlet(&start, SQUARES)?);
     }
@@ -59,6 +60,7 @@ pub(super) fn minimise<S: Space>(
         from = Start::AtHand;
     }
     let best = &mut lowest.reached;
+    // After the descent, too: over a border that spans nothing it ends in a surface without area.
     descent.check_area(&best.surface.x)?;
     let mut variation = descent.variation(&best.surface)?;
     let mut left_saddle = false;
@@ -134,6 +136,7 @@ fn leave_saddle<S: Space>(
     let normals = descent.normals(&saddle.surface.x)?;
     let mut directions = vec![Point::ZERO; saddle.surface.x.len()];
     let free = (0..saddle.surface.x.len()).filter(|&node| !descent.rules.space.topology().fixed[node]);
+    // Displacements are along the normals: nodes on lines of three cells have none, and stay.
     for (node, f) in free.zip(&variation.displacement) {
         if let [normal] = normals[node].directions() {
             directions[node] = *normal * *f;
@@ -142,7 +145,9 @@ fn leave_saddle<S: Space>(
     let largest = directions.iter().map(|d| d.norm()).fold(0.0, f64::max);
     let (area, points) = (saddle.surface.area(), saddle.surface.points);
     let mut lowest: Option<Reached> = None;
+    // Both ways: the sign of an eigenvector means nothing, and the two may lead to different minima.
     for side in [1.0, -1.0] {
+        // Far enough for rounding, near enough for the parabola: halved until the area falls.
         let mut step = side * LEAVE * area.sqrt() / largest;
         for _ in 0..HALVINGS {
             let x: Vec<Point> =
@@ -177,6 +182,7 @@ fn extremal<S: Space>(
     AreaExtremal {
         area: Integral {
             value: surface.area() * square,
+            // The rule's error, and the rounding of its sum.
             error: (surface.error + 64.0 * f64::EPSILON * surface.area()) * square,
             points: surface.points,
             settled: descent.resolves(surface),
@@ -213,6 +219,7 @@ impl<S: Space> Descent<'_, '_, S> {
         let cell = self.rules.cell(self.rules.first())?;
         let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
         let tangents = assembly.tangents(x);
+        // The area is at most the Dirichlet energy: far below it the tangents are parallel nearly everywhere.
         let squares = |line: &[[Point; 2]]| {
             let of = |([u, v], w): (&[Point; 2], &f64)| 0.5 * w * (u.dot(*u) + v.dot(*v));
             line.iter().zip(cell.weights()).map(of).sum::<f64>()

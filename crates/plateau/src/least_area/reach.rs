@@ -57,6 +57,7 @@ impl Reach {
     /// That of surfaces over one border, of which `x` is one.
     fn new<S: Space>(space: &S, x: &[Point]) -> Result<Self, MethodError> {
         let topology = space.topology();
+        // The nodes of the border lie on it, as its control points need not.
         let fixed = x.iter().zip(&topology.fixed).filter(|(_, fixed)| **fixed);
         let border: Vec<Point> = fixed.map(|(&x, _)| x).collect();
         let across = border.iter().flat_map(|a| border.iter().map(|b| a.distance(*b))).fold(0.0, f64::max);
@@ -65,6 +66,7 @@ impl Reach {
             control,
             squares: Vec::new(),
             border,
+            // A box with a diagonal of at least `across` has an edge of at least a √3-th of it.
             size: across / 3f64.sqrt(),
             sizes: 1.0,
             floor: [0.0; 2],
@@ -127,6 +129,7 @@ impl<S: Space> Descent<'_, '_, S> {
             return Ok(());
         }
         let mut reach = Reach::new(self.rules.space, reference)?;
+        // No more is asked of a surface than the reference has: its own control points may lie further away.
         reach.sizes = reach.sizes(topology, reference);
         reach.floor = self.evenness(reached.surface.points, reference)?.map(|even| EVENNESS * even);
         if self.fits(&reach, &reached.surface)? {
@@ -135,6 +138,7 @@ impl<S: Space> Descent<'_, '_, S> {
         reach.squares =
             (0..topology.cells.len()).map(|k| squares(&reach.control, &topology.free(k))).collect();
         let unpulled = reached.surface.area();
+        // From the first surface with the strongest pull, not from the end of the valley, which the last digits decide.
         let start = Pulled { reach: &reach, towards: reference, share: LARGEST_PULL, shift: LEAST_SHIFT };
         reached.valley = ValleyEnd::Far;
         if let Some(near) = self.slackened(Reached { surface: first.clone(), ..reached.clone() }, start)?
@@ -143,6 +147,7 @@ impl<S: Space> Descent<'_, '_, S> {
             let beyond = near.surface.area() - unpulled;
             *reached = Reached { valley: ValleyEnd::Reach, beyond, ..near };
         }
+        // Where that ends above the first surface, this one is moved along its normals alone.
         if reached.surface.area() > first.area() {
             let start = Reached::new(first);
             *reached = Reached { valley: reached.valley, beyond: start.surface.area() - unpulled, ..start };
@@ -163,11 +168,13 @@ impl<S: Space> Descent<'_, '_, S> {
             self.pulled_steps(&mut pulled, &mut step)?;
             match self.fits(step.reach, &pulled.surface)? {
                 true => fitting.push(pulled.clone()),
+                // Weaker pulls lead further away: once one does not fit after others did, none does.
                 false if !fitting.is_empty() => break,
                 false => {}
             }
             step.share *= SLACKER;
         }
+        // The weakest first. The steps along the normals may lead out of reach once more.
         while let Some(mut last) = fitting.pop() {
             self.normal_steps(&mut last)?;
             if self.fits(step.reach, &last.surface)? {
@@ -234,6 +241,7 @@ impl<S: Space> Descent<'_, '_, S> {
         let (topology, all) = (self.rules.space.topology(), self.all.clone());
         let (half, pulls) = step.reach.pull(topology, &less(&here.x, step.towards));
         let before = here.area() + step.share * half;
+        // The gradient of the area with the share of the squares, which is quadratic: its Hessian is the matrix itself.
         let slopes: Vec<Point> = slopes.iter().zip(&pulls).map(|(&g, &pull)| g + pull * step.share).collect();
         let gradient = all.gather(&slopes);
         for _ in 0..TRIES {

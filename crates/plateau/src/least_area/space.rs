@@ -97,8 +97,10 @@ pub(super) struct Frame {
 impl Frame {
     /// The frame of the given points of a border.
     pub(super) fn of(border: impl Iterator<Item = Point> + Clone) -> Self {
+        // A point of the border itself: coordinates near it lose nothing by the difference.
         let origin = border.clone().next().unwrap_or(Point::ZERO);
         let size = border.map(|p| p.distance(origin)).fold(0.0, f64::max);
+        // A power of two rounds nothing; `libm` gives the same bits on every machine.
         let unit =
             if size > 0.0 && size.is_finite() { libm::exp2(libm::floor(libm::log2(size))) } else { 1.0 };
         Self { origin, unit }

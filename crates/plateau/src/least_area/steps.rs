@@ -115,6 +115,7 @@ impl<S: Space> Descent<'_, '_, S> {
         let (points, before, used) = (reached.surface.points, reached.surface.area(), *shift);
         let rounding = predicted <= ROUNDING * before;
         let next = self.rules.known(points, x, tangents, fine)?;
+        // A step of rounding moves nothing that a finer rule could see; any other may lead to where one is needed.
         let next = if rounding { next } else { self.rules.settle(next)? };
         if next.points != points {
             bounds.floor = self.floor(next.points, bounds.from)?;
@@ -139,6 +140,7 @@ impl<S: Space> Descent<'_, '_, S> {
             bounds.last += 1;
             return Ok((bounds.last == LAST_STEPS).then_some(ValleyEnd::Rounding));
         }
+        // The quotient of gain and promise says how far the parabola holds: less shift, or more.
         if quality > 0.75 {
             *shift = (0.3 * *shift).max(self.least_shift);
         } else if quality < 0.25 {
@@ -149,6 +151,7 @@ impl<S: Space> Descent<'_, '_, S> {
             // A step that was held back by the shift says nothing of what is left.
             false => bounds.idle + usize::from(used <= TRUSTED_SHIFT),
         };
+        // Below 1e-9 gains along the valley fall off slowly: one small gain is not yet the end.
         let patience = IDLE + (1e-9 / self.tolerance).log10().max(0.0).round() as usize;
         Ok((bounds.idle >= patience).then_some(ValleyEnd::Tolerance))
     }
@@ -180,6 +183,7 @@ impl<S: Space> Descent<'_, '_, S> {
             // −gᵀd − ½ dᵀHd with Hd = −g − λKd.
             let predicted = 0.5 * (slope + *shift * square);
             let small = predicted <= ROUNDING * here.area();
+            // Nothing beyond rounding is promised: the last steps are made with the share that holds the valley still.
             if small && *shift != LAST_SHIFT {
                 *shift = LAST_SHIFT;
                 continue;
@@ -191,10 +195,12 @@ impl<S: Space> Descent<'_, '_, S> {
             let Trial { x, tangents, .. } = trial;
             let fine = self.rules.fine(here.points, &x)?;
             let quality = (here.area() - fine.area) / predicted;
+            // The quotient of two roundings says nothing: a small step must only not climb.
             let lower = quality > 1e-4 || small && fine.area <= here.area() * (1.0 + ROUNDING);
             if lower && (small || fine.evenness >= floor) {
                 return Ok(Ok(Step { x, tangents, fine, predicted, quality }));
             }
+            // Only the evenness was against it: that is the reason if no shorter step does better.
             if lower {
                 end = ValleyEnd::Ratio;
             }
@@ -254,8 +260,10 @@ impl<S: Space> Descent<'_, '_, S> {
         mut trial: Trial,
         floor: f64,
     ) -> Result<Trial, MethodError> {
+        // By the rule of the trials: between two rules a difference of areas would be no gain.
         let before = assembly.area_of(&here.tangents);
         for _ in 0..CORRECTED {
+            // A simplified Newton step: the gradient is new, the factorisation is not.
             let Some(slopes) = defined(assembly.gradient(&trial.tangents))? else { break };
             let mut d = self.all.gather(&slopes);
             factor.solve(1, &mut d)?;

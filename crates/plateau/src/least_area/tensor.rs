@@ -14,6 +14,7 @@ use crate::MethodError;
 fn coons(patch: &TensorPatch) -> Result<(Frame, Net), MethodError> {
     let net = patch.net();
     let [u0, u1, v0, v1] = net.boundary();
+    // The border decides the frame: inner points must not change any digit.
     let border = u0.iter().chain(&u1).chain(&v0).chain(&v1).copied();
     let frame = Frame::of(border);
     let enter = |points: &[Point]| points.iter().map(|&p| frame.enter(p)).collect::<Vec<_>>();
@@ -51,6 +52,7 @@ pub(super) struct Separated {
 impl Separated {
     pub(super) fn new(patch: &TensorPatch, product: &Product) -> Result<Self, MethodError> {
         let (frame, net) = coons(patch)?;
+        // Cardinal functions of polynomials are known; those of any other family come by an inverse, with its rounding.
         let family = |family: &Arc<dyn Basis>| {
             let bernstein = Bernstein::new(family.count() - 1)?;
             if is_bernstein(family.as_ref(), &bernstein) {
@@ -103,6 +105,7 @@ impl Space for Separated {
     }
 
     fn surface(&self, x: &[Point]) -> Result<TensorPatch, MethodError> {
+        // Displacements from the base are converted, not points: the border keeps its last bit.
         let inner = displaced([&self.u, &self.v], &self.base, &self.base_nodes, x);
         with_inner(&self.patch, &self.frame, &inner)
     }
@@ -144,6 +147,7 @@ impl Sums {
             Ok(bases::Nodal::new(degree)?.nodes().iter().map(|t| start + (end - start) * t).collect())
         };
         let (u, v) = (nodes(m, u0, u1)?, nodes(n, v0, v1)?);
+        // Cardinal functions by the inverse of the values at the nodes: with several products they do not separate.
         let [values, _, _] = sampled(patch, &u, &v);
         let back = inverse(&values)?;
         let fixed = inside(&net).into_iter().map(|inside| !inside).collect();
@@ -226,6 +230,7 @@ impl Space for Sums {
     }
 
     fn surface(&self, x: &[Point]) -> Result<TensorPatch, MethodError> {
+        // The inverse moves border points by rounding: only the inner ones are taken.
         with_inner(&self.patch, &self.frame, &times(&self.back, x))
     }
 
