@@ -43,6 +43,7 @@ impl Network {
             is_of_arcs: Vec::new(),
             lengths: Vec::new(),
         };
+        // Bits, not distances: what is near but not equal is welded later, and told.
         let mut places: HashMap<[u64; 3], usize> = HashMap::new();
         let mut repeats = Vec::new();
         for (curve, read) in file.curves.iter().enumerate() {
@@ -52,6 +53,7 @@ impl Network {
                 Shape::Polyline(points) => {
                     let nodes: Vec<usize> =
                         points.iter().map(|p| network.node(&mut places, *p, false)).collect();
+                    // Samples that repeat the one before are no segments, and are told of.
                     let equal: Vec<usize> = (1..nodes.len()).filter(|k| nodes[*k] == nodes[k - 1]).collect();
                     if !equal.is_empty() {
                         repeats.push((curve, equal));
@@ -105,6 +107,7 @@ impl Network {
         if a == b {
             return;
         }
+        // An arc cannot end elsewhere than it does: the other node moves to it.
         let (low, high) = (a.min(b), a.max(b));
         let (keep, go) =
             if self.is_of_arcs[low] && !self.is_of_arcs[high] { (high, low) } else { (low, high) };
@@ -117,6 +120,7 @@ impl Network {
         for link in &mut links {
             link.nodes = link.nodes.map(|node| self.root(node));
         }
+        // A curve that ends where it begins is a loop and stays.
         links.retain(|link| !link.is_segment || link.nodes[0] != link.nodes[1]);
         self.links = links;
         self.ends = self.ends.iter().map(|ends| ends.map(|node| self.root(node))).collect();
@@ -147,6 +151,7 @@ impl Network {
         let degrees = self.degrees();
         for curve in 0..self.ends.len() {
             let [start, end] = self.ends[curve];
+            // Only ends that nothing else meets: a curve that something joins is part of a net, whatever the file says.
             if self.closes[curve] && start != end && degrees[start] == 1 && degrees[end] == 1 {
                 self.links.push(Link { nodes: [end, start], curve, is_segment: true });
                 self.ends[curve] = [start, start];
@@ -166,6 +171,7 @@ impl Network {
                 return seen.insert(nodes);
             }
             let points = file.curves[link.curve].shape.sampled();
+            // The same ends and the same middle: two curves of a lens share their ends, but not this.
             let middle = points[points.len() / 2];
             let known = middles.entry(nodes).or_default();
             let is_new = known.iter().all(|other| other.distance(middle) > 1e-9 * size);

@@ -79,6 +79,7 @@ impl StepFile {
         let (spline, accuracy) = spline(surface, family, tolerance)?;
         let size = checked_size(spline.points())?;
         let file = Self { spline, accuracy, size };
+        // In the order of `sides`.
         let names = ["its side v = start", "its side u = end", "its side v = end", "its side u = start"];
         for (side, part) in file.sides().iter().zip(names) {
             let length = super::extent::diagonal(side.points.iter().map(|p| [p.x, p.y, p.z]));
@@ -135,6 +136,7 @@ impl StepFile {
         let mut edges: Vec<(Vec<Point>, usize)> = Vec::new();
         let mut border = Vec::new();
         for side in self.sides() {
+            // STEP has no edges without length: the loop goes on from the one vertex.
             if self.is_point(&side) {
                 continue;
             }
@@ -150,6 +152,7 @@ impl StepFile {
                     }
                 };
             }
+            // Closed surfaces meet themselves: readers sew a seam only if both sides name one edge.
             let twin = |points: &[Point]| {
                 points.len() == side.points.len()
                     && points.iter().zip(&side.points).all(|(&p, &q)| self.same(p, q))
@@ -180,6 +183,7 @@ impl StepFile {
 
     /// The border, in the sense in which it runs around the face.
     fn sides(&self) -> [Side; 4] {
+        // Points stand row by row with u: a column is a side v = constant, a row one u = constant.
         let (points, cols) = (&self.spline.points(), self.spline.cols());
         let column = |j: usize| points.iter().skip(j).step_by(cols).copied().collect();
         let last = points.len() - cols;
@@ -223,6 +227,7 @@ pub(super) fn document(
     writeln!(out, "FILE_DESCRIPTION(({title},{}),'2;1');", text(description))?;
     writeln!(out, "FILE_NAME({title},'',(''),(''),'{version}','{version}','');")?;
     writeln!(out, "FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\nENDSEC;\nDATA;")?;
+    // Entities are numbered as they are written, so that what is referred to comes first.
     let mut entities = Entities { out, count: 0 };
     let context = context(size, &mut entities)?;
     let shape = product(&title, &mut entities)?;
@@ -241,6 +246,7 @@ fn context(size: f64, entities: &mut Entities<'_>) -> io::Result<usize> {
     let length = entities.add(format_args!("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))"))?;
     let angle = entities.add(format_args!("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))"))?;
     let solid = entities.add(format_args!("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())"))?;
+    // What STEP readers may take for one point: never below what they tell apart.
     let accuracy = real(SMALLEST_TOLERANCE.max(SAME * size));
     let accuracy = entities.add(format_args!(
         "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({accuracy}),#{length},'distance_accuracy_value',\
@@ -329,6 +335,7 @@ fn list<T>(items: &[T], shown: impl Fn(&T) -> String) -> String {
 
 /// A real of ISO 10303-21, all digits: the mantissa must have a point.
 fn real(x: f64) -> String {
+    // The shortest digits that read back as the same number.
     let digits = format!("{x:E}");
     match digits.split_once('E') {
         Some((mantissa, exponent)) => {

@@ -117,8 +117,8 @@ fn distance(curve: &impl Analytic, point: Point, start: f64) -> f64 {
     for _ in 0..4 {
         let CurveJet { point: here, d1, d2 } = curve.jet(t);
         let off = here - point;
-        // Half of the second derivative of the squared distance: where it is not positive Newton's step would climb.
         nearest = nearest.min(off.norm());
+        // Half of the second derivative of the squared distance: where it is not positive Newton's step would climb.
         let bend = d1.dot(d1) + off.dot(d2);
         if bend.is_nan() || bend <= 0.0 {
             break;
