@@ -1,7 +1,7 @@
 use surfaces::Point;
 use thiserror::Error;
 
-use crate::{CuttingError, Degeneracy, DegreeLimit, Direction};
+use crate::{CuttingError, Degeneracy, DegreeLimit, Direction, Notation};
 
 /// Why a method found no patch.
 #[derive(Debug, Error)]
@@ -62,6 +62,22 @@ pub enum MethodError {
     NothingFound {
         /// Evaluations made.
         evaluations: u64,
+    },
+    /// Two loops in the two halves of the cone that all catenoids about an axis touch: no surface of least area hangs together between them.
+    #[error(
+        "no annulus of least area, nor any other that hangs together: the two loops lie in the two halves of the cone that catenoids touch, of half-angle 56.466° at \
+         ({}, {}, {}) along ({}, {}, {}), and are too far apart for their size; bring them nearer together, or span each by itself{}",
+        Notation::Short(6).of(apex[0]), Notation::Short(6).of(apex[1]), Notation::Short(6).of(apex[2]),
+        Notation::Short(4).of(axis[0]), Notation::Short(4).of(axis[1]), Notation::Short(4).of(axis[2]),
+        discs.map_or_else(String::new, |discs| format!(", with area {} together", Notation::Digits(9).of(discs)))
+    )]
+    Apart {
+        /// The apex of the cone.
+        apex: [f64; 3],
+        /// Its axis, towards the second loop, of length 1.
+        axis: [f64; 3],
+        /// The area of both loops, each spanned by itself.
+        discs: Option<f64>,
     },
     /// Another error, with what to do about it in the words of whoever asked.
     #[error("{error}. {advice}")]
@@ -191,7 +207,7 @@ const HIGH: usize = 10;
 impl MethodError {
     /// The error where the boundary was given `by` away from where it lay.
     pub(crate) fn moved(mut self, by: Point) -> Self {
-        if let Self::Cutting(CuttingError::Crosses { at }) = &mut self {
+        if let Self::Cutting(CuttingError::Crosses { at }) | Self::Apart { apex: at, .. } = &mut self {
             *at = (Point::from(*at) + by).into();
         }
         self

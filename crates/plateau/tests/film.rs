@@ -91,11 +91,65 @@ fn rings_too_far_apart() {
     assert!(film.warnings.is_empty(), "{:?}", film.warnings);
     let film = exactly(6).loops(&rings(0.54), &()).unwrap();
     assert!(matches!(film.warnings[..], [Warning::OneByOne { .. }]), "{:?}", film.warnings);
-    let film = exactly(4).loops(&rings(0.7), &()).unwrap();
-    let [Warning::Pinches { length, .. }, Warning::OneByOne { .. }] = &film.warnings[..] else {
-        panic!("{:?}", film.warnings)
+    let film = exactly(6).loops(&rings(0.6627), &()).unwrap();
+    assert!(matches!(film.warnings[..], [Warning::OneByOne { .. }]), "{:?}", film.warnings);
+    for h in [0.6628, 0.7, 5.0] {
+        let Err(MethodError::Apart { apex, axis, discs }) = exactly(6).loops(&rings(h), &()) else {
+            panic!("nothing spans rings at {h}");
+        };
+        assert!(Point::from(apex).norm() < 1e-3 && axis[2] > 0.999);
+        assert!((discs.unwrap() / TAU - 1.0).abs() < 1e-6);
+    }
+}
+
+/// The cone is found wherever it stands: rings of unequal size, turned and moved, with and without corners.
+#[test]
+fn loops_in_the_halves_of_a_cone_are_refused_wherever_it_stands() {
+    let turned = |z: f64, radius: f64, corners: Option<usize>| {
+        let at = |k: f64| {
+            let (s, c) = libm::sincos(k);
+            // About the axis (1, 2, 2)/3.
+            let [e, f, g] =
+                [[2.0, -2.0, 1.0], [2.0, 1.0, -2.0], [1.0, 2.0, 2.0]].map(|d| Point::from(d) * (1.0 / 3.0));
+            p(5.0, -3.0, 8.0) + e * (radius * c) + f * (radius * s) + g * z
+        };
+        match corners {
+            Some(n) => {
+                Loop::polygon(&(0..n).map(|k| at(TAU * k as f64 / n as f64)).collect::<Vec<_>>()).unwrap()
+            }
+            None => Loop::new(
+                vec![
+                    BoundaryCurve::through(
+                        (0..=200).map(|k| at(TAU * f64::from(k % 200) / 200.0)).collect(),
+                        1e-6,
+                    )
+                    .unwrap(),
+                ],
+                None,
+            )
+            .unwrap(),
+        }
     };
-    assert!(*length < 1.0);
+    let refused = |first: &Loop, second: &Loop| {
+        matches!(exactly(4).loops(&[first.clone(), second.clone()], &()), Err(MethodError::Apart { .. }))
+    };
+    // Together 1.4 wide: the cone holds them from 1.4/1.5089 = 0.9278 on.
+    assert!(refused(&turned(0.0, 1.0, None), &turned(0.95, 0.4, None)));
+    assert!(!refused(&turned(0.0, 1.0, None), &turned(0.90, 0.4, None)));
+    assert!(refused(&turned(0.0, 1.0, Some(5)), &turned(1.4, 1.0, Some(3))));
+    assert!(!refused(&turned(0.0, 1.0, Some(5)), &turned(0.8, 1.0, Some(5))));
+}
+
+/// A long strip beside another: no cone holds them, and the annulus pinches.
+#[test]
+fn an_annulus_that_pinches_says_where() {
+    let strip = |z: f64| polygon(&[[-4.0, -0.3, z], [4.0, -0.3, z], [4.0, 0.3, z], [-4.0, 0.3, z]]);
+    let film = exactly(4).loops(&[strip(-0.6), strip(0.6)], &()).unwrap();
+    assert!(
+        film.warnings.iter().any(|warning| matches!(warning, Warning::Pinches { .. })),
+        "{:?}",
+        film.warnings
+    );
 }
 
 /// The surface z = x² − y² over [−1, 1]² as a rim, and Scherk's z = log(cos x / cos y).

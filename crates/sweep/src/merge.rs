@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use record::{Origin, ReadError};
+use record::{Origin, RESULT_FILE, ReadError};
 use thiserror::Error;
 
 use crate::merged::{Kept, Lack, Merged};
@@ -17,6 +17,14 @@ pub enum MergeError {
     #[error("no folder was named")]
     NoFolder,
     /// A folder that no sweep was run into.
+    #[error("{}: {why}; name the folder of a sweep, as `plateau run SWEEP.toml` makes it below --out", folder.display())]
+    NoSweep {
+        /// The folder.
+        folder: PathBuf,
+        /// What it is instead.
+        why: &'static str,
+    },
+    /// A folder whose outline is damaged.
     #[error(
         "{}: {source}; name the folder of a sweep, as `plateau run SWEEP.toml` makes it below --out",
         folder.join(OUTLINE_FILE).display()
@@ -44,6 +52,9 @@ pub enum MergeError {
 /// [`MergeError`], if the folders are not of one sweep.
 pub fn merge(folders: &[PathBuf]) -> Result<Merged, MergeError> {
     let read = |folder: &PathBuf| {
+        if let Some(why) = no_sweep(folder) {
+            return Err(MergeError::NoSweep { folder: folder.clone(), why });
+        }
         Outline::read(folder).map_err(|source| MergeError::Outline { folder: folder.clone(), source })
     };
     let first = folders.first().ok_or(MergeError::NoFolder)?;
@@ -70,6 +81,22 @@ pub fn merge(folders: &[PathBuf]) -> Result<Merged, MergeError> {
         }
     }
     Ok(Merged { outline, kept, missing, differing, origins: origins.len() })
+}
+
+/// Why a folder is not that of a sweep, if there is no outline in it.
+fn no_sweep(folder: &Path) -> Option<&'static str> {
+    if folder.join(OUTLINE_FILE).exists() {
+        return None;
+    }
+    Some(if !folder.exists() {
+        "there is no such folder, and no sweep.json in it"
+    } else if !folder.is_dir() {
+        "is a file: no folder with a sweep.json in it"
+    } else if folder.join(RESULT_FILE).exists() {
+        "holds the result of one experiment, which needs no merging; there is no sweep.json in it"
+    } else {
+        "there is no sweep.json in it"
+    })
 }
 
 /// What the folders have of a cell together.

@@ -109,12 +109,21 @@ impl Merged {
         outer.iter().map(|&axis| self.cell(kept).at[axis]).collect()
     }
 
-    /// The least value of the compared figure in every panel.
+    /// What the cells have in common whose figures are compared: the panel, and where that is over boundaries, the place on its axis.
+    pub(crate) fn comparable(&self, kept: &Kept) -> Vec<usize> {
+        let mut places = self.panel(kept);
+        if self.outline.is_of_boundaries() {
+            places.extend(self.outline.directions().last().map(|&last| self.cell(kept).at[last]));
+        }
+        places
+    }
+
+    /// The least value of the compared figure among all that are compared.
     pub(crate) fn least(&self) -> BTreeMap<Vec<usize>, f64> {
         let mut least = BTreeMap::new();
         for (kept, method) in self.rows() {
             if let Some(found) = value(method, self.key()) {
-                let so_far = least.entry(self.panel(kept)).or_insert(found);
+                let so_far = least.entry(self.comparable(kept)).or_insert(found);
                 *so_far = so_far.min(found);
             }
         }

@@ -32,6 +32,9 @@ pub(crate) struct AxisEntry {
     /// The axis it goes in step with.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) with: Option<String>,
+    /// Whether each of its values has a boundary of its own.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) moves_the_boundary: bool,
     pub(crate) values: Vec<SettingEntry>,
 }
 
@@ -72,6 +75,7 @@ impl Outline {
                 .map(|axis| AxisEntry {
                     name: axis.name().to_owned(),
                     with: axis.with().map(|other| axes[other].name().to_owned()),
+                    moves_the_boundary: axis.moves_the_boundary(),
                     values: axis
                         .settings()
                         .iter()
@@ -121,6 +125,14 @@ impl Outline {
     /// The axes that are directions of their own, by their places.
     pub(crate) fn directions(&self) -> Vec<usize> {
         (0..self.axes.len()).filter(|&k| self.axes[k].with.is_none()).collect()
+    }
+
+    /// Whether the cells of a panel, which differ along the last direction, have boundaries of their own.
+    pub(crate) fn is_of_boundaries(&self) -> bool {
+        let Some(&last) = self.directions().last() else { return false };
+        let goes_with = |axis: &&AxisEntry| axis.with.as_ref() == Some(&self.axes[last].name);
+        self.axes[last].moves_the_boundary
+            || self.axes.iter().filter(goes_with).any(|axis| axis.moves_the_boundary)
     }
 
     /// The value of an axis in a cell.

@@ -43,14 +43,20 @@ pub(crate) fn page(merged: &Merged, seen_from: &Path) -> String {
 
 fn caption(merged: &Merged) -> String {
     let figure = &merged.outline.figure;
+    let (of, ring) = if merged.outline.is_of_boundaries() {
+        (
+            "over its boundary",
+            "Rings are the least values over one boundary: those over different ones are not compared.",
+        )
+    } else {
+        ("of its panel", "The ring is the least value of the panel, whose cells have the same boundary.")
+    };
     let drawn = if merged.outline.gap {
-        format!("How far the figure {figure} lies above the least of its panel, on a logarithmic axis")
+        format!("How far the figure {figure} lies above the least {of}, on a logarithmic axis")
     } else {
         format!("The figure {figure}")
     };
-    format!(
-        "{drawn}; one line a method. The ring is the least value of the panel, which says something where all cells of a panel have the same boundary."
-    )
+    format!("{drawn}; one line a method. {ring}")
 }
 
 /// The plots: the last axis below, a panel for each combination of the others, a line for each method.
@@ -93,6 +99,7 @@ pub(crate) fn plots(merged: &Merged) -> Multiples {
         y_label: format!("{}{above}{}", outline.figure, unit(key)),
         words: (!is_of_numbers).then(words),
         gap: outline.gap,
+        by_place: outline.is_of_boundaries(),
         names,
         panels,
     }
@@ -156,7 +163,7 @@ fn table(merged: &Merged, seen_from: &Path) -> (Vec<String>, Vec<StudyRow>) {
                 .chain(shown)
                 .collect(),
             link: link(kept, &cell.name, seen_from),
-            best: found.is_some() && found == least.get(&merged.panel(kept)).copied(),
+            best: found.is_some() && found == least.get(&merged.comparable(kept)).copied(),
         }
     });
     (headings.collect(), rows.collect())

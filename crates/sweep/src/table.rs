@@ -22,7 +22,7 @@ struct Column {
     width: usize,
 }
 
-/// One row a method of every cell: the values of the axes, the method, the compared figure, and which is the least of its panel.
+/// One row a method of every cell: the values of the axes, the method, the compared figure, and which is the least of those that are compared.
 pub(crate) fn table(merged: &Merged, room: usize) -> String {
     let mut columns = columns(merged);
     let wide = |columns: &[Column]| {
@@ -86,14 +86,14 @@ fn columns(merged: &Merged) -> Vec<Column> {
     columns
 }
 
-/// "least" beside the least value of every panel of several rows.
+/// "least" beside the least value of several rows that are compared.
 fn marks(merged: &Merged) -> Vec<String> {
     let (least, mut rows) = (merged.least(), BTreeMap::new());
     for (kept, _) in merged.rows() {
-        *rows.entry(merged.panel(kept)).or_insert(0) += 1;
+        *rows.entry(merged.comparable(kept)).or_insert(0) += 1;
     }
     let mark = |(kept, method)| {
-        let panel = merged.panel(kept);
+        let panel = merged.comparable(kept);
         let found = value(method, merged.key());
         let is_least = found.is_some() && found == least.get(&panel).copied() && rows.get(&panel) > Some(&1);
         if is_least { "least".to_owned() } else { String::new() }

@@ -59,6 +59,14 @@ impl Address {
         }
     }
 
+    /// The name of the outermost table it leads into, if it names one.
+    pub(super) fn outermost(&self) -> Option<&str> {
+        match self.0.first() {
+            Some(Step::Named { name, .. }) => Some(name),
+            Some(Step::All) | None => None,
+        }
+    }
+
     /// The places of all values it leads to, at least one.
     pub(super) fn resolve(&self, document: &DeTable<'_>, text: &str) -> Result<Vec<Range<usize>>, Lost> {
         let mut found = Vec::new();

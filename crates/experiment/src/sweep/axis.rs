@@ -73,6 +73,19 @@ impl Axis {
         self.with
     }
 
+    /// Whether its values have boundaries of their own: what is least among them says nothing.
+    #[must_use]
+    pub fn moves_the_boundary(&self) -> bool {
+        const WITHIN: [&str; 8] =
+            ["boundary", "curve", "vertex", "face", "net", "helicoid", "trapezium-helicoid", "deformation"];
+        match &self.action {
+            Action::Scale(_) | Action::Boundaries(_) => true,
+            Action::Replace(addresses) => addresses
+                .iter()
+                .any(|address| address.get_ref().outermost().is_some_and(|table| WITHIN.contains(&table))),
+        }
+    }
+
     /// Goes in step with an axis from now on.
     pub(super) fn go_with(&mut self, other: usize) {
         self.with = Some(other);

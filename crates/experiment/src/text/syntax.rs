@@ -28,9 +28,17 @@ const DEEPEST: u32 = 80;
 const UNCLOSED: &str =
     "a list that begins further up is not closed: count its brackets, or look for a missing comma";
 
+/// What is said of JSON.
+const JSON: &str = "of a result.json `plateau verify` computes every number again and `plateau export` writes the surfaces; the experiment it came from \
+     stands in it as manifest.experiment";
+
 /// The first of the errors: one a line, and no kind of them twice, since the later ones are mostly consequences of the earlier.
 pub(super) fn diagnostics(text: &str, errors: &[Error], section: &Section) -> Vec<Diagnostic> {
     let syntax = Syntax::new(text, section);
+    let start = text.len() - text.trim_start().len();
+    if text[start..].starts_with('{') {
+        return vec![syntax.at(start..start + 1, "it is JSON", "JSON begins so", JSON)];
+    }
     let (mut diagnostics, mut lines, mut kinds) = (Vec::new(), Vec::new(), Vec::new());
     for error in errors.iter().take(MOST_EXAMINED) {
         let span = error.span().unwrap_or(text.len()..text.len());

@@ -2,7 +2,7 @@
 
 use surfaces::{BoundaryCurve, Complex, ComplexMesh, Point, anchor, extent};
 
-use super::{Film, Tried, degree, pinch};
+use super::{Film, Tried, cone, degree, pinch};
 use crate::degenerate::far;
 use crate::excess::{estimated, told};
 use crate::memory;
@@ -205,6 +205,7 @@ impl Fill {
     /// have less area.
     ///
     /// # Errors
+    /// [`MethodError::Apart`] for two loops so far apart that no surface of least area hangs together between them,
     /// [`MethodError::Cutting`] for what no surface can be laid out over, else as [`least_area`](crate::least_area).
     pub fn loops(&self, loops: &[Loop], progress: &dyn Progress) -> Result<Film, MethodError> {
         let given: Vec<Point> =
@@ -222,6 +223,12 @@ impl Fill {
         progress: &dyn Progress,
     ) -> Result<Film, MethodError> {
         let cutting = self.cutting(loops.iter().flat_map(Loop::curves), |cutting| cutting.loops(loops))?;
+        if let ([first, second], FillEnergy::Area) = (loops, self.energy)
+            && let Some(cone) = cone::between(first, second)
+        {
+            let discs = self.one_by_one([first, second], cutting, progress)?;
+            return Err(MethodError::Apart { apex: cone.apex.into(), axis: cone.axis.into(), discs });
+        }
         let (best, tried) = match loops {
             [one] if self.way.is_none() => self.disc(one, cutting, progress)?,
             _ => (self.solved(&cutting.loops(loops)?, progress)?, Vec::new()),
@@ -229,12 +236,22 @@ impl Fill {
         let mut one_by_one = None;
         // The two discs are always solved: that they have less area is a figure of its own, whatever the annulus does.
         if let ([first, second], FillEnergy::Area) = (loops, self.energy) {
-            let cutting = cutting.with_way(None);
-            let discs = [first, second].map(|one| self.disc(one, cutting, progress));
-            let [first, second] = discs.map(|disc| disc.map(|(disc, _)| disc.area()));
-            one_by_one = first?.zip(second?).map(|(first, second)| first + second);
+            one_by_one = self.one_by_one([first, second], cutting, progress)?;
         }
         self.film(best, tried, one_by_one, origin, progress)
+    }
+
+    /// The areas of two loops, each spanned by itself, together.
+    fn one_by_one(
+        &self,
+        loops: [&Loop; 2],
+        cutting: Cutting,
+        progress: &dyn Progress,
+    ) -> Result<Option<f64>, MethodError> {
+        let cutting = cutting.with_way(None);
+        let discs = loops.map(|one| self.disc(one, cutting, progress));
+        let [first, second] = discs.map(|disc| disc.map(|(disc, _)| disc.area()));
+        Ok(first?.zip(second?).map(|(first, second)| first + second))
     }
 
     /// The surface of the faces of a graph.

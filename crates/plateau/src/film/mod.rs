@@ -1,6 +1,7 @@
 //! Surfaces over loops and graphs of curves.
 
 mod accuracy;
+mod cone;
 mod degree;
 mod disc;
 mod fill;

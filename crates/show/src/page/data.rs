@@ -4,13 +4,10 @@ use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::{Value, json};
 
 use crate::colour;
-use crate::scene::{Chart, Field, LARGEST_NET, Line, LineKind, Scene, Shown};
+use crate::scene::{Chart, Field, LARGEST_NET, Line, LineKind, MOST_NET_DEGREE, Scene, Shown};
 use crate::table::standing::{Standing, standings};
 use plateau::{Done, Notation};
 use surfaces::Domain;
-
-/// Nets of a higher degree hide their surface and are shown when asked for.
-const MOST_DEGREE: usize = 3;
 
 /// The data of the viewer as JSON that may stand inside a script element. Points are in the frame of the scene, values in
 /// units of the full scale of their field, NaN where there is none; both little-endian `f32` in base64.
@@ -95,7 +92,7 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
         "values": values,
         "net": {
             "large": shown.net_size() > LARGEST_NET,
-            "many": net.degree > MOST_DEGREE,
+            "many": net.degree > MOST_NET_DEGREE,
             "points": points(&net.points),
             "boundary": net.on_boundary.iter().map(|&b| u8::from(b)).collect::<Vec<_>>(),
             "edges": numbers(net.edges.iter().flatten().copied()),

@@ -6,7 +6,7 @@ use super::panels::arrange;
 use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
-use crate::scene::{Field, LARGEST_NET, LineKind, Sample, Scene, Shown, spread};
+use crate::scene::{Field, LARGEST_NET, LineKind, MOST_NET_DEGREE, Sample, Scene, Shown, spread};
 use plateau::{Energy, Notation};
 
 /// Most views in one picture.
@@ -40,17 +40,19 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let [columns, rows] = arrange(chosen.len(), 4);
     let cell = [CELL[0], CELL[1] + HEAD];
     let bar = if full.is_some() { BAR } else { 0.0 };
-    let with = match chosen.iter().filter(|shown| shown.sample.chart().is_none()).count() {
-        0 => "with their control nets",
-        of if of == chosen.len() => {
-            "with the vertices and borders of their patches, red where they meet at an angle"
+    let has_net = chosen.iter().any(|shown| shown.sample.chart().is_some() && shown.has_clear_net());
+    let has_patches = chosen.iter().any(|shown| shown.sample.chart().is_none());
+    let title = match (has_net, has_patches) {
+        (false, false) => "The surfaces",
+        (true, false) => "The surfaces with their control nets",
+        (false, true) => {
+            "The surfaces with the vertices and borders of their patches, red where they meet at an angle"
         }
-        _some => {
-            "with their control nets, or the vertices and borders of their patches, red where they meet at an angle"
+        (true, true) => {
+            "The surfaces with their control nets, or the vertices and borders of their patches, red where they meet at an angle"
         }
     };
-    let title = format!("The surfaces {with}");
-    let mut svg = Svg::new(cell[0] * columns as f64 + bar, cell[1] * rows as f64, &title);
+    let mut svg = Svg::new(cell[0] * columns as f64 + bar, cell[1] * rows as f64, title);
     let camera = Camera::fitting(scene, &chosen, true, CELL);
     for (k, shown) in chosen.iter().enumerate() {
         let (x, y) = (cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64);
@@ -65,7 +67,7 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
         svg.open(format_args!(r#"clip-path="url(#{clip})""#));
         let at = [x + 0.5 * CELL[0], y + HEAD + 0.5 * CELL[1]];
         surface(&mut svg, scene, shown, &camera, at, full.map(|full| (field, full)), CORNERS / chosen.len());
-        if times <= LARGEST_NET {
+        if shown.has_clear_net() {
             control_net(&mut svg, scene, shown, &camera, at);
         }
         svg.close();
@@ -80,13 +82,22 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     } else {
         String::new()
     };
-    let undrawn = if chosen.iter().any(|shown| shown.net_size() > LARGEST_NET) {
-        "; nets that would dwarf their surface are not drawn"
-    } else {
-        ""
-    };
+    let undrawn = undrawn(&chosen);
     let caption = format!("{title}, from one direction and on one scale{coloured}{undrawn}.");
     Some(Picture { name: "surfaces", caption, svg: svg.finish() })
+}
+
+/// Which control nets are not drawn, if any.
+fn undrawn(chosen: &[&Shown<'_>]) -> String {
+    let is_large = |shown: &&Shown<'_>| shown.net_size() > LARGEST_NET;
+    let is_dense = |shown: &&Shown<'_>| shown.net.degree > MOST_NET_DEGREE;
+    let which = match (chosen.iter().any(is_large), chosen.iter().any(is_dense)) {
+        (false, false) => return String::new(),
+        (true, false) => "that would dwarf their surface".to_owned(),
+        (false, true) => format!("above degree {MOST_NET_DEGREE}, which would hide their surface,"),
+        (true, true) => format!("above degree {MOST_NET_DEGREE}, and those that would dwarf their surface,"),
+    };
+    format!("; nets {which} are not drawn")
 }
 
 /// A parallel projection.
@@ -103,7 +114,7 @@ impl Camera {
     pub(super) fn fitting(scene: &Scene<'_>, shown: &[&Shown<'_>], nets: bool, panel: [f64; 2]) -> Self {
         let [right, up, towards] = scene.direction.axes();
         let mut camera = Self { right, up, towards, scale: 1.0, middle: [0.0; 2] };
-        let nets = shown.iter().filter(|s| nets && s.net_size() <= LARGEST_NET).flat_map(|s| &s.net.points);
+        let nets = shown.iter().filter(|s| nets && s.has_clear_net()).flat_map(|s| &s.net.points);
         let [low, high] = camera.extent(scene, shown.iter().flat_map(|s| &s.sample.points).chain(nets));
         camera.middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
         let fit = |k: usize, room: f64| room / (high[k] - low[k]).max(1e-3);

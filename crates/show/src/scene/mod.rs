@@ -26,6 +26,9 @@ const VERTICES: usize = 14_000;
 /// Control nets larger than this many times their surface are not drawn at first: they would dwarf it.
 pub(crate) const LARGEST_NET: f64 = 2.5;
 
+/// Control nets of a higher degree are not drawn at first: they would hide their surface.
+pub(crate) const MOST_NET_DEGREE: usize = 3;
+
 /// The size of a surface in units of its distance from the origin below which it is rounding.
 const POINT: f64 = 1e-13;
 
@@ -59,6 +62,11 @@ pub(crate) struct Shown<'a> {
 }
 
 impl Shown<'_> {
+    /// Whether its control net is drawn unasked: neither does it dwarf the surface, nor hide it.
+    pub(crate) fn has_clear_net(&self) -> bool {
+        self.net_size() <= LARGEST_NET && self.net.degree <= MOST_NET_DEGREE
+    }
+
     /// How many times longer the diagonal of the box around the control net is than that around the surface; 0 for surfaces
     /// without extent.
     pub(crate) fn net_size(&self) -> f64 {

@@ -18,7 +18,7 @@ pub(crate) fn summary(curves: &[CurveResult]) -> Cells {
     ];
     let row = |curve: &CurveResult| {
         let (largest, at) = match curve.sharpest() {
-            Some((k, curvature)) => (FIGURE.of(curvature.abs()), curve.t[k].to_string()),
+            Some((k, curvature)) => (FIGURE.of(curvature.abs()), Notation::Short(9).of(curve.t[k])),
             None => ("–".into(), "–".into()),
         };
         let [length, error] = curve.length;
@@ -37,7 +37,7 @@ pub(crate) fn samples(curve: &CurveResult, most: usize) -> Cells {
         let point = curve.coordinates(curve.jets[k].point);
         let curvature = curve.curvature[k].map_or("none".into(), |x| FIGURE.of(x));
         let figures = point.into_iter().map(|x| FIGURE.of(x));
-        std::iter::once(curve.t[k].to_string()).chain(figures).chain([curvature]).collect()
+        std::iter::once(Notation::Short(9).of(curve.t[k])).chain(figures).chain([curvature]).collect()
     };
     Cells::new(columns, (0..curve.t.len().min(most)).map(row).collect())
 }
