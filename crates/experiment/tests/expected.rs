@@ -34,6 +34,14 @@ name = 'm'
 degree = 4
 ";
 
+/// A loop of six sides.
+const HEXAGON: &str = "[boundary]
+polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 1], [0, 1, 1], [0, 0, 1]]
+[[method]]
+name = 'm'
+degree = 4
+";
+
 const HELICOID: &str = "[helicoid]
 a = 1.0
 b = 0.5
@@ -53,13 +61,16 @@ fn experiments() -> Vec<String> {
     ];
     let of_tensor = [
         "mask = -0.25",
+        "energy = 'area'\nbound = true",
         "energy = 'dirichlet'\nbasis = 'gt'\nshape = [1, 1, 1, 1]",
         "energy = 'dirichlet'\nbasis = 'gt'\nsearch = 'polish'",
         "energy = 'dirichlet'\npatch = 'tb-coons'\nbasis = 'gt'\nshape = [1, 1, 1, 1]",
     ];
     let tensor = every_net.iter().chain(&of_tensor).map(|keys| format!("{TENSOR}{keys}\n"));
     let triangle = every_net.iter().chain(&["mask = 'dirichlet'"]).map(|keys| format!("{TRIANGLE}{keys}\n"));
-    let films = ["energy = 'area'", "energy = 'dirichlet'"].iter().map(|keys| format!("{RINGS}{keys}\n"));
+    let of_films = ["energy = 'area'", "energy = 'dirichlet'", "energy = 'area'\nbound = true"];
+    let films = [RINGS, HEXAGON].into_iter();
+    let films = films.flat_map(|film| of_films.iter().map(move |keys| format!("{film}{keys}\n")));
     tensor.chain(triangle).chain(films).chain([HELICOID.to_owned()]).collect()
 }
 
@@ -83,7 +94,10 @@ fn a_figure_that_is_admitted_exists() {
         assert!(method.outcome.is_ok(), "{text}");
         for &quantity in Quantity::ALL {
             let admitted = plan(&format!("{} = 1.0", quantity.name())).is_ok();
-            assert_eq!(admitted, method.figure(quantity).is_some(), "`{}` of\n{text}", quantity.name());
+            let exists = method.figure(quantity).is_some();
+            // Estimates and proofs may be withheld, with the reason; what exists is admitted all the same.
+            let may_be_withheld = matches!(quantity, Quantity::AreaEstimate | Quantity::LowerBound);
+            assert!(exists == admitted || admitted && may_be_withheld, "`{}` of\n{text}", quantity.name());
         }
     }
 }

@@ -82,6 +82,12 @@ quantities! {
     Dirichlet = "dirichlet", "dirichlet", 2, "the Dirichlet energy ½∫(E + G), length²",
         |done, _| Some(done.figures.dirichlet.into());
     Area = "area", "area", 2, "the area ∫√(EG − F²), length²", |done, _| Some(done.figures.area.into());
+    AreaEstimate = "area-estimate", "area_estimate", 2,
+        "what the area is above the least area of the boundary, where that was estimated, length²",
+        |done, _| done.estimate.map(Into::into);
+    LowerBound = "lower-bound", "lower_bound", 2,
+        "the area below which no surface over the boundary lies, or none that is a graph as it is, where that was proved, length²",
+        |done, _| done.bound.as_ref().map(|bound| bound.value.into());
     LaplacianDefect = "laplacian-defect", "laplacian_defect", 2, "∫‖S_uu + S_vv‖², length²",
         |done, _| Some(done.figures.laplacian_defect.into());
     Bending = "bending", "bending", 2, "∫‖S_uu‖² + 2‖S_uv‖² + ‖S_vv‖², length²", |done, _| Some(done.figures.bending.into());
@@ -159,6 +165,35 @@ impl Quantity {
     #[must_use]
     pub const fn is_of_the_surface(self) -> bool {
         !matches!(self, Self::Residual | Self::SearchMinimum | Self::Curvature(_))
+    }
+
+    /// Whether it belongs to the surface whatever its parameters: it is the same where points slide within the surface.
+    #[must_use]
+    pub const fn is_free_of_parameters(self) -> bool {
+        match self {
+            Self::Area
+            | Self::LowerBound
+            | Self::BoundaryDeviation
+            | Self::RimDeviation
+            | Self::SpannedOneByOne => true,
+            Self::Dirichlet
+            | Self::AreaEstimate
+            | Self::LaplacianDefect
+            | Self::Bending
+            | Self::CoonsFunctional
+            | Self::MetricDirichlet
+            | Self::ConformalityGap
+            | Self::MeanCurvatureMax
+            | Self::MeanCurvatureRms
+            | Self::Residual
+            | Self::HarmonicBound
+            | Self::Deviation
+            | Self::Kink
+            | Self::JacobianRatio
+            | Self::Shape(_)
+            | Self::SearchMinimum
+            | Self::Curvature(_) => false,
+        }
     }
 
     /// The name in experiment files (the same for every index).

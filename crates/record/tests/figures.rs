@@ -68,8 +68,8 @@ fn record(text: &str) -> (experiment::Finished, Value) {
 
 /// Over a tensor and a triangular boundary.
 fn records() -> Vec<(experiment::Finished, Value)> {
-    let searched =
-        "[[method]]\nname = \"searched\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\nsearch = \"polish\"\n";
+    let searched = "[[method]]\nname = \"searched\"\nbasis = \"gt\"\nenergy = \"dirichlet\"\nsearch = \"polish\"\n\
+                    [[method]]\nname = \"bounded\"\nenergy = \"area\"\nbound = true\n";
     let [tensor, triangle] = NETS.map(|net| format!("title = \"rows\"{net}{ROWS}"));
     vec![record(&(tensor + searched)), record(&triangle)]
 }

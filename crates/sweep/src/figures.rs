@@ -3,9 +3,6 @@
 use plateau::Quantity;
 use serde_json::{Map, Value};
 
-/// Figures that are no quantity to expect: what is known of the least area.
-const BEYOND: [&str; 2] = ["area_estimate", "lower_bound"];
-
 /// Most numbers of a figure that has several.
 const MOST: usize = 4;
 
@@ -19,10 +16,7 @@ fn all() -> Vec<Figure> {
         let several = (0..MOST).map(move |k| format!("{key}.{k}"));
         [key.to_owned(), format!("{key}_error")].into_iter().chain(several)
     };
-    let mut all: Vec<Figure> = Quantity::ALL.iter().flat_map(of).collect();
-    let area = all.iter().position(|figure| figure == "area_error").map_or(0, |k| k + 1);
-    all.splice(area..area, BEYOND.map(str::to_owned));
-    all
+    Quantity::ALL.iter().flat_map(of).collect()
 }
 
 /// The figures that some of the methods have.

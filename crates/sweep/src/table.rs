@@ -1,8 +1,8 @@
 //! The table on a terminal.
 
+use plateau::{Notation, Quantity};
 use std::collections::BTreeMap;
 
-use plateau::Notation;
 use show::{Printable, width_of_names};
 
 use crate::figures::{failure, name, value};
@@ -12,7 +12,7 @@ use crate::merged::Merged;
 const MOST: usize = 100;
 
 /// The figures beside the compared one, where there is room.
-const BESIDE: [&str; 3] = ["area", "area_error", "area_estimate"];
+const BESIDE: [&str; 3] = [Quantity::Area.key(), "area_error", Quantity::AreaEstimate.key()];
 
 /// A column: its heading, and whether its cells are words.
 struct Column {

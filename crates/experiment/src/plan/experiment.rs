@@ -191,7 +191,7 @@ fn filled(root: &Table<'_>, parts: Parts<'_>) -> Option<(Experiment, Vec<Wanted>
     if is_film {
         let rim = rim(root, &parts, mixed);
         let header = parts.boundary.span().or(parts.faces.span()).unwrap_or(root.span());
-        let (methods, wanted) = film::methods(methods?, &header)?.into_iter().unzip();
+        let (methods, wanted) = film::methods(methods?, rim.as_ref(), &header)?.into_iter().unzip();
         return Some((Experiment::Film(FilmExperiment { rim: rim?, methods }), wanted));
     }
     only_beside(root, "curve", "[[curve]] belongs to `loops` or [[face]] tables");

@@ -47,19 +47,33 @@ pub struct FilmMethod {
     pub bound: bool,
 }
 
+impl Rim {
+    /// How many loops there are to span.
+    fn loops(&self) -> usize {
+        match self {
+            Self::Loops(loops) => loops.len(),
+            Self::Faces(_) => 0,
+        }
+    }
+}
+
 /// Checks every method over loops or faces, whose heading is at `header`.
-pub(super) fn methods(named: Vec<Named<'_>>, header: &Range<usize>) -> Option<Vec<(FilmMethod, Wanted)>> {
+pub(super) fn methods(
+    named: Vec<Named<'_>>,
+    rim: Option<&Rim>,
+    header: &Range<usize>,
+) -> Option<Vec<(FilmMethod, Wanted)>> {
     let checked: Vec<Option<(FilmMethod, Wanted)>> = named
         .into_iter()
         .map(|(name, table)| {
             let fits = has_only_keys_over(&table, (LOOPS, "a boundary of loops or faces"), header);
-            method(&table, name).filter(|_| fits)
+            method(&table, rim, name).filter(|_| fits)
         })
         .collect();
     checked.into_iter().collect()
 }
 
-fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted)> {
+fn method(table: &Table<'_>, rim: Option<&Rim>, name: Option<String>) -> Option<(FilmMethod, Wanted)> {
     let degree = table.take(&DEGREE).known();
     let layers_given = table.take(&LAYERS);
     let layers = table.or_default(&LAYERS, &layers_given);
@@ -84,8 +98,14 @@ fn method(table: &Table<'_>, name: Option<String>) -> Option<(FilmMethod, Wanted
         & only_of_areas("layers", layers_given.span().filter(|_| layers.is_some_and(|layers| layers > 0)))
         & only_of_areas("accuracy", accuracy_given.span())
         & only_of_areas("bound", bound_given.span().filter(|_| bound == Some(true)));
-    let wanted =
-        wanted_of(table, Some(Subject::Film { least: energy.map(|energy| energy == FillEnergy::Area) }));
+    let wanted = wanted_of(
+        table,
+        Some(Subject::Film {
+            least: energy.map(|energy| energy == FillEnergy::Area),
+            bound,
+            loops: rim.map(Rim::loops),
+        }),
+    );
     let method = FilmMethod {
         name: name?,
         energy: energy?,

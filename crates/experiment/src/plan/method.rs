@@ -110,10 +110,13 @@ impl Draft<'_> {
         let domain = self.domain(interior.as_ref());
         let searched = matches!(shape, Some(Shape::Search(_)));
         let subject = match layers {
-            Some(1..) => Some(Subject::Film { least: Some(true) }),
-            Some(0) | None => {
-                family.filter(|_| shape.is_some()).map(|family| Subject::Patch { family, searched, interior })
-            }
+            Some(1..) => Some(Subject::Film { least: Some(true), bound, loops: Some(1) }),
+            Some(0) | None => family.filter(|_| shape.is_some()).map(|family| Subject::Patch {
+                family,
+                searched,
+                interior,
+                bound,
+            }),
         };
         // What does not fit its boundary has been reported, and is not built to be refused again.
         let method = (|| {

@@ -14,40 +14,32 @@ pub(super) struct Comparison {
     pub(super) slides: bool,
 }
 
-/// The keys of a method that say something of its surface beside its figures, with the power of the length in their unit.
-const SURFACE: [(&str, i32); 10] = [
-    ("patch", 0),
-    ("basis", 0),
-    ("net", 1),
-    ("faces", 1),
-    ("domain", 0),
-    ("pieces", 1),
-    ("weights", 1),
-    ("kink", 0),
-    ("area_estimate", 2),
-    ("lower_bound", 2),
+/// What of a method is compared: its place in the record, the power of the length in its unit, and whether it is the same where the area is
+/// all but constant along some directions of the net. There the points slide within the surface, and everything that depends on the
+/// parameters with them.
+type Compared = (&'static str, i32, bool);
+
+/// What says something of a surface beside its figures.
+const SURFACE: [Compared; 8] = [
+    ("patch", 0, true),
+    ("basis", 0, true),
+    ("net", 1, false),
+    ("faces", 1, false),
+    ("domain", 0, true),
+    ("pieces", 1, false),
+    ("weights", 1, false),
+    ("kink", 0, false),
 ];
 
-/// All keys that are compared: the residual is rounding, and minima of searches are compared by themselves.
-fn compared() -> impl Iterator<Item = (&'static str, i32)> {
+/// All that is compared: the residual is rounding, and minima of searches are compared by themselves.
+fn compared() -> impl Iterator<Item = Compared> {
     // The largest kink is compared with their mean.
     let is_compared = |quantity: &&Quantity| quantity.is_of_the_surface() && **quantity != Quantity::Kink;
-    let figures = Quantity::ALL.iter().filter(is_compared).map(|quantity| (quantity.key(), quantity.power()));
+    let figures = Quantity::ALL.iter().filter(is_compared);
+    let figures =
+        figures.map(|quantity| (quantity.key(), quantity.power(), quantity.is_free_of_parameters()));
     SURFACE.into_iter().chain(figures)
 }
-
-/// What is determined of a method whose area is all but constant along some directions of its net: the points slide within the
-/// surface, and everything that depends on the parameters with them.
-const DETERMINED: [&str; 8] = [
-    "patch",
-    "basis",
-    "area",
-    "boundary_deviation",
-    "rim_deviation",
-    "lower_bound",
-    "spanned_one_by_one",
-    "domain",
-];
 
 /// Everything, bit for bit.
 pub(super) fn bits(stored: &Value, computed: &Value) -> Comparison {
@@ -79,8 +71,8 @@ pub(super) fn figures(stored: &Value, computed: &Value) -> Comparison {
         let reason = method.pointer("/area_extremal/reason").and_then(Value::as_str);
         reason == Some(plateau::AreaExtremal::SLIDES)
     });
-    for (key, power) in compared() {
-        if comparison.slides && !DETERMINED.contains(&key) {
+    for (key, power, is_free_of_parameters) in compared() {
+        if comparison.slides && !is_free_of_parameters {
             continue;
         }
         let pointer = format!("/{}", key.replace('.', "/"));

@@ -20,10 +20,16 @@ pub(in crate::plan) enum Subject {
         searched: bool,
         /// None where it is faulty: then it has whatever is asked for.
         interior: Option<Interior>,
+        /// Whether a bound is to be proved: none where that is faulty.
+        bound: Option<bool>,
     },
     Film {
         /// Whether its area is least: none where that is faulty.
         least: Option<bool>,
+        /// Whether a bound is to be proved: none where that is faulty.
+        bound: Option<bool>,
+        /// How many loops are spanned: none where those are faulty.
+        loops: Option<usize>,
     },
     Helicoid,
     Net,
@@ -53,6 +59,18 @@ impl Subject {
             | Q::ConformalityGap
             | Q::MeanCurvatureMax
             | Q::MeanCurvatureRms => None,
+            Q::AreaEstimate => match self {
+                Self::Patch { .. } | Self::Film { .. } => None,
+                Self::Helicoid | Self::Net | Self::Curve { .. } => {
+                    Some("what lies above the least area is estimated of what spans a boundary: take the key out")
+                }
+            },
+            Q::LowerBound => match self {
+                Self::Patch { bound, .. } | Self::Film { bound, .. } if bound != Some(false) => None,
+                Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => {
+                    Some("only least areas with bound = true have it: add that, or take the key out")
+                }
+            },
             Q::CoonsFunctional => self.unless_made_by(
                 |interior| matches!(interior, Interior::Extremal(Functional::Coons)),
                 "only what minimises it has it, energy = \"coons\": take the key out",
@@ -80,8 +98,8 @@ impl Subject {
             },
             Q::Kink | Q::RimDeviation => (!matches!(self, Self::Film { .. }))
                 .then_some("only surfaces over loops and faces have this figure: take the key out"),
-            Q::SpannedOneByOne => (!matches!(self, Self::Film { least: None | Some(true) }))
-                .then_some("only least areas over loops have this figure: take the key out"),
+            Q::SpannedOneByOne => (!matches!(self, Self::Film { least: None | Some(true), loops: None | Some(2), .. }))
+                .then_some("only least areas over two loops have this figure: take the key out"),
             Q::JacobianRatio => match self {
                 Self::Film { .. } => None,
                 Self::Patch { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => self.unless_made_by(
