@@ -28,7 +28,8 @@ mod side;
 pub use self::experiment::stem;
 pub(crate) use file::{text_from, text_of};
 
-use plateau::{Curve, Helicoid, OwnNet, TrapeziumHelicoid};
+use plateau::{Construction, Curve, Helicoid, OwnNet};
+use surfaces::TrapeziumHelicoid;
 
 use exchange::Format;
 pub use expected::{Expected, Published, Wanted};
@@ -66,7 +67,7 @@ pub enum Experiment {
     /// `[helicoid]`: a generalized helicoid, exact in AHT ⊗ AHT (AHT).
     Helicoid(Helicoid),
     /// `[trapezium-helicoid]`: a right helicoid over a trapezium, exact in AT ⊗ degree 1 (AT).
-    TrapeziumHelicoid(TrapeziumHelicoid),
+    TrapeziumHelicoid(TrapeziumHelicoid, Construction),
     /// `[net]`: a surface of which every control point is given.
     Net(OwnNet),
     /// `[curve]`: one curve, sampled; with several shapes, one curve for each, all else the same.

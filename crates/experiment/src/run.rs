@@ -80,7 +80,9 @@ pub fn run_kept(
             results.methods = helicoids(helicoid, mesh, progress);
             wanted = wanted_of_frames(helicoid, wanted);
         }
-        Experiment::TrapeziumHelicoid(helicoid) => results.methods = vec![trapezium(helicoid, mesh)],
+        Experiment::TrapeziumHelicoid(helicoid, construction) => {
+            results.methods = vec![trapezium(helicoid, *construction, mesh)];
+        }
         Experiment::Net(net) => results.methods = vec![of_net(net, mesh)],
         Experiment::Curve(curves) => {
             results.warnings.extend(without_mesh(&plan.output));
@@ -146,8 +148,7 @@ fn films(experiment: &FilmExperiment, mesh: usize, progress: &dyn Progress) -> V
 fn wanted_of_frames(helicoid: &Helicoid, mut wanted: Vec<Wanted>) -> Vec<Wanted> {
     let shared: Vec<Expected> =
         wanted.iter().flat_map(|w| &w.expect).filter(|e| is_shared(e.quantity)).cloned().collect();
-    let frames = helicoid.deformation.map_or(0, |deformation| deformation.frames);
-    wanted.extend((0..frames).map(|_| Wanted { expect: shared.clone(), published: Vec::new() }));
+    wanted.extend((0..helicoid.frames()).map(|_| Wanted { expect: shared.clone(), published: Vec::new() }));
     wanted
 }
 

@@ -3,8 +3,8 @@
 use exchange::{DEFAULT_TOLERANCE, Format};
 use experiment::{Experiment, FilmExperiment, Options, Output, PatchExperiment, Plan, Rim, Template, run};
 use plateau::{
-    Boundary, CurveBasis, Deformation, DeformationPath, Direction, Done, Energy, Family, FillEnergy, Filling,
-    FixedShape, Functional, Functions, Loop, Method, Quantity, Search, SearchEnergy, SearchMode,
+    Boundary, Construction, CurveBasis, DeformationPath, Direction, Done, Energy, Family, FillEnergy,
+    Filling, FixedShape, Functional, Functions, Loop, Method, Quantity, Search, SearchEnergy, SearchMode,
     ShapedFamily, SolverChoice, TensorInterior, TriangleInterior, TriangleMask, Variant,
 };
 
@@ -197,8 +197,8 @@ fn solvers_and_the_local_variant() {
         TensorInterior::Extremal { energy: Functional::Dirichlet, solver: SolverChoice::Separable };
     assert_eq!(tensor(&patches.methods[0]).1, separable);
     assert_eq!(tensor(&patches.methods[1]).1, TensorInterior::Mask { alpha: 0.1 });
-    assert_eq!(patches.search.variant, Variant::Local { neighbours: 3 });
-    assert_eq!((patches.search.lower, patches.search.upper), (0.0, 4.0));
+    assert_eq!(patches.search.variant(), Variant::Local { neighbours: 3 });
+    assert_eq!(patches.search.bounds(), [0.0, 4.0]);
 }
 
 #[test]
@@ -275,24 +275,26 @@ fn helicoids() {
         other => panic!("{other:?}"),
     };
     let found = helicoid(text);
-    assert_eq!((found.a, found.b, found.u_span, found.v_span), (1.0, 2.0, 1.5, 6.0));
+    assert_eq!((found.form().weights(), found.form().spans()), ([1.0, 2.0], [1.5, 6.0]));
     let path = DeformationPath::Trigonometric;
-    assert_eq!(found.deformation, Some(Deformation { frames: 11, path }));
+    assert_eq!((found.frames(), found.deformation().map(|d| d.path())), (11, Some(path)));
     let linear = helicoid(&text.replace("\"trigonometric\"", "\"linear\""));
-    assert_eq!(linear.deformation.map(|d| d.path), Some(DeformationPath::Linear));
+    assert_eq!(linear.deformation().map(|d| d.path()), Some(DeformationPath::Linear));
     let outer = helicoid(&text.replace("path = \"trigonometric\"", "path-degree = 3\npath = \"bernstein\""));
-    assert_eq!(outer.deformation.map(|d| d.path), Some(DeformationPath::Bernstein { degree: 3 }));
+    assert_eq!(outer.deformation().map(|d| d.path()), Some(DeformationPath::Bernstein { degree: 3 }));
     let long = helicoid(&text.replace("frames", "# ").replace("path", "# ").replace("6.0", "12"));
-    assert_eq!((long.v_span, long.deformation), (12.0, None));
+    assert_eq!((long.form().spans()[1], long.frames()), (12.0, 0));
 }
 
 #[test]
 fn a_helicoid_over_a_trapezium() {
     let text = "title = \"T\"\n[trapezium-helicoid]   # exact, AT x degree 1\nspan = 3.9\ngamma = [6.2, 12.5]\nbeta = [1.0, 0.5]\n";
-    let Experiment::TrapeziumHelicoid(found) = plan(text).experiment else { panic!() };
-    assert_eq!((found.span, found.gamma, found.beta), (3.9, [6.2, 12.5], [1.0, 0.5]));
+    let Experiment::TrapeziumHelicoid(found, Construction::EndpointRule) = plan(text).experiment else {
+        panic!()
+    };
+    assert_eq!(found, surfaces::TrapeziumHelicoid::new(3.9, [6.2, 12.5], [1.0, 0.5]).unwrap());
     // Beyond 2π it is cut into several patches.
-    assert!(matches!(plan(&text.replace("3.9", "12")).experiment, Experiment::TrapeziumHelicoid(_)));
+    assert!(matches!(plan(&text.replace("3.9", "12")).experiment, Experiment::TrapeziumHelicoid(..)));
 }
 
 #[test]
@@ -310,22 +312,23 @@ fn curves() {
         other => panic!("{other:?}"),
     };
     let found = curve(text);
-    assert_eq!(found.basis, CurveBasis::Gt { shape: [1.0, 2.0] });
-    assert_eq!((found.points[1], found.points.len(), found.dimension), ([1.0, 2.0, 0.0], 4, 2));
-    assert_eq!(found.samples, [0.0, 0.25, 1.0]);
+    assert_eq!(found.basis(), CurveBasis::Gt { shape: [1.0, 2.0] });
+    let second = surfaces::Point::new(1.0, 2.0, 0.0);
+    assert_eq!((found.points()[1], found.points().len(), found.dimension()), (second, 4, 2));
+    assert_eq!(found.samples(), [0.0, 0.25, 1.0]);
 
     let aht = curve(
         "title = \"x\"\n[curve]\nbasis = \"aht\"\nspan = 1.5\nsamples = 4\n\
          points = [[0,0,0],[1,2,0],[3,2,1],[4,0,0],[5,0,0],[6,1,0]]\n",
     );
-    assert_eq!((aht.basis, aht.dimension), (CurveBasis::Aht { span: 1.5 }, 3));
-    assert_eq!(aht.samples, [0.0, 0.5, 1.0, 1.5]);
+    assert_eq!((aht.basis(), aht.dimension()), (CurveBasis::Aht { span: 1.5 }, 3));
+    assert_eq!(aht.samples(), [0.0, 0.5, 1.0, 1.5]);
     let at = curve(
         "title = \"x\"\n[curve]\nbasis = \"at\"\nspan = 6.25\n\
          points = [[0,0],[1,2],[3,2],[4,0],[5,0],[6,1]]\n",
     );
-    assert_eq!((at.basis, at.samples.len()), (CurveBasis::At { span: 6.25 }, 101));
-    assert_eq!((at.samples[0], at.samples[100]), (0.0, 6.25));
+    assert_eq!((at.basis(), at.samples().len()), (CurveBasis::At { span: 6.25 }, 101));
+    assert_eq!((at.samples()[0], at.samples()[100]), (0.0, 6.25));
 }
 
 #[test]

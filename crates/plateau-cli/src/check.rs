@@ -53,10 +53,10 @@ fn subject(plan: &Plan) -> String {
         Experiment::Patch(patches) => methods(patches.methods.len()),
         Experiment::Film(film) => methods(film.methods.len()),
         Experiment::Helicoid(_) => "a helicoid".to_owned(),
-        Experiment::TrapeziumHelicoid(_) => "a helicoid over a trapezium".to_owned(),
+        Experiment::TrapeziumHelicoid(..) => "a helicoid over a trapezium".to_owned(),
         Experiment::Net(_) => "a net of its own".to_owned(),
         Experiment::Curve(curves) => {
-            let samples = curves.first().map_or(0, |curve| curve.samples.len());
+            let samples = curves.first().map_or(0, |curve| curve.samples().len());
             match curves.len() {
                 1 => format!("a curve at {samples} samples"),
                 count => format!("{count} curves at {samples} samples each"),

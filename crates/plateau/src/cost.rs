@@ -53,8 +53,9 @@ impl Search {
     /// How many shapes a search tries, about.
     #[must_use]
     pub fn shapes(&self, mode: SearchMode) -> u64 {
-        let runs = self.runs as u64;
-        let swarm = (self.particles as u64).saturating_mul(self.iterations as u64 + 1).saturating_mul(runs);
+        let runs = self.runs() as u64;
+        let swarm =
+            (self.particles() as u64).saturating_mul(self.iterations() as u64 + 1).saturating_mul(runs);
         match mode {
             SearchMode::Pso => swarm,
             SearchMode::Polish => DESCENT * runs,

@@ -10,15 +10,70 @@ use crate::{MethodError, Warning};
 /// One planar or space curve with control points, and the parameters at which it is sampled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
+    basis: CurveBasis,
+    points: Vec<Point>,
+    is_planar: bool,
+    samples: Vec<f64>,
+}
+
+impl Curve {
+    /// The curve of `points` in `basis`: at least 2 (Bernstein), at least 3 (GT), exactly 6 (AHT, AT); sampled at `samples` of the
+    /// [`domain`](CurveBasis::domain).
+    ///
+    /// # Errors
+    /// [`MethodError::Surface`], [`MethodError::Basis`] for points or a basis that make no curve, [`MethodError::Sample`] for a sample
+    /// outside.
+    pub fn new(basis: CurveBasis, points: Vec<Point>, samples: Vec<f64>) -> Result<Self, MethodError> {
+        surfaces::Curve::new(basis.functions(points.len().saturating_sub(1))?, points.clone())?;
+        Self { basis, points, is_planar: false, samples: Vec::new() }.sampled_at(samples)
+    }
+
+    /// In the plane z = 0: its curvature has a sign, its points have two coordinates.
+    ///
+    /// # Errors
+    /// [`MethodError::NotPlanar`] unless every point has z = 0.
+    pub fn planar(self) -> Result<Self, MethodError> {
+        match self.points.iter().position(|p| p.z != 0.0) {
+            Some(index) => Err(MethodError::NotPlanar { index }),
+            None => Ok(Self { is_planar: true, ..self }),
+        }
+    }
+
+    /// The same curve at other samples.
+    ///
+    /// # Errors
+    /// [`MethodError::Sample`] for one outside of the domain.
+    pub fn sampled_at(self, samples: Vec<f64>) -> Result<Self, MethodError> {
+        let [start, end] = self.basis.domain();
+        match samples.iter().find(|t| !(start..=end).contains(*t)) {
+            Some(&t) => Err(MethodError::Sample { t, start, end }),
+            None => Ok(Self { samples, ..self }),
+        }
+    }
+
     /// The basis of the control points.
-    pub basis: CurveBasis,
-    /// Control points: at least 2 (Bernstein), at least 3 (GT), exactly 6 (AHT, AT); at most
-    /// [`MAX_DEGREE`](crate::MAX_DEGREE) + 1. Planar points carry z = 0.
-    pub points: Vec<[f64; 3]>,
-    /// Coordinates of a point: 2 (signed curvature) or 3.
-    pub dimension: usize,
-    /// Parameters of the samples, inside [`CurveBasis::domain`]. Never empty.
-    pub samples: Vec<f64>,
+    #[must_use]
+    pub fn basis(&self) -> CurveBasis {
+        self.basis
+    }
+
+    /// The control points.
+    #[must_use]
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Coordinates of a point: 2 of planar curves, else 3.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        if self.is_planar { 2 } else { 3 }
+    }
+
+    /// The parameters of the samples.
+    #[must_use]
+    pub fn samples(&self) -> &[f64] {
+        &self.samples
+    }
 }
 
 /// The basis of a curve.
@@ -104,20 +159,18 @@ pub struct CurveResult {
 /// Samples a curve.
 ///
 /// # Errors
-/// [`MethodError::Surface`], [`MethodError::Basis`] for points or a basis that make no curve; [`MethodError::Overflow`] for
-/// derivatives beyond double precision.
+/// [`MethodError::Overflow`] for derivatives beyond double precision.
 pub fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
     let degree = plan.points.len() - 1;
     let basis = plan.basis.functions(degree)?;
-    let points: Vec<Point> = plan.points.iter().copied().map(Point::from).collect();
-    let curve = surfaces::Curve::new(basis.clone(), points)?;
+    let curve = surfaces::Curve::new(basis.clone(), plan.points.clone())?;
     let mut result = CurveResult {
         name: plan.basis.described(degree),
         t: plan.samples.clone(),
         basis: Vec::with_capacity(plan.samples.len()),
         jets: Vec::with_capacity(plan.samples.len()),
         curvature: Vec::with_capacity(plan.samples.len()),
-        dimension: plan.dimension,
+        dimension: plan.dimension(),
         length: length(&curve)?,
         curve: plan.clone(),
     };
@@ -128,7 +181,7 @@ pub fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
         if !finite {
             return Err(MethodError::Overflow { t });
         }
-        let curvature = curvature(&jet, curve.points(), table.row(1), plan.dimension);
+        let curvature = curvature(&jet, curve.points(), table.row(1), plan.dimension());
         result.basis.push(table);
         result.jets.push(jet);
         result.curvature.push(curvature.filter(|k| k.is_finite()));
@@ -215,12 +268,19 @@ mod tests {
     fn sampled(basis: CurveBasis, points: &[[f64; 2]], samples: usize) -> Result<CurveResult, MethodError> {
         let [start, end] = basis.domain();
         let at = |k: usize| start + (end - start) * (k as f64 / (samples - 1) as f64);
-        sample(&Curve {
-            basis,
-            points: points.iter().map(|&[x, y]| [x, y, 0.0]).collect(),
-            dimension: 2,
-            samples: (0..samples).map(at).collect(),
-        })
+        let points = points.iter().map(|&[x, y]| Point::new(x, y, 0.0)).collect();
+        sample(&Curve::new(basis, points, (0..samples).map(at).collect())?.planar()?)
+    }
+
+    #[test]
+    fn what_is_no_curve_is_refused() {
+        let points = |z: f64| vec![Point::ZERO, Point::new(1.0, 0.0, z), Point::new(2.0, 1.0, 0.0)];
+        let curve = |samples: &[f64]| Curve::new(CurveBasis::Bernstein, points(0.5), samples.to_vec());
+        assert!(matches!(curve(&[0.0, 1.5]), Err(MethodError::Sample { t: 1.5, .. })));
+        assert!(matches!(curve(&[f64::NAN]), Err(MethodError::Sample { .. })));
+        assert!(matches!(curve(&[1.0]).unwrap().planar(), Err(MethodError::NotPlanar { index: 1 })));
+        assert!(Curve::new(CurveBasis::Aht { span: 1.0 }, points(0.0), vec![]).is_err());
+        assert!(Curve::new(CurveBasis::Bernstein, vec![], vec![]).is_err());
     }
 
     #[test]

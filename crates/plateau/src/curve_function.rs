@@ -109,7 +109,8 @@ mod tests {
             for basis in [CurveBasis::Aht { span }, CurveBasis::At { span }] {
                 for function in ALL {
                     let points = basis.control_points([function.jet(0.0), function.jet(span)]).unwrap();
-                    let curve = Curve { basis, points, dimension: 3, samples: vec![share * span] };
+                    let points = points.into_iter().map(surfaces::Point::from).collect();
+                    let curve = Curve::new(basis, points, vec![share * span]).unwrap();
                     let found = sample(&curve).unwrap().jets[0];
                     let [point, d1, d2] = function.jet(share * span);
                     let scale = span.exp();
@@ -132,7 +133,9 @@ mod tests {
             (CurveFunction::Catenary, CurveBasis::At { span: 5.0 }),
         ] {
             let points = basis.control_points([function.jet(0.0), function.jet(5.0)]).unwrap();
-            let found = sample(&Curve { basis, points, dimension: 3, samples: vec![2.5] }).unwrap().jets[0];
+            let points = points.into_iter().map(surfaces::Point::from).collect();
+            let curve = Curve::new(basis, points, vec![2.5]).unwrap();
+            let found = sample(&curve).unwrap().jets[0];
             assert!(!function.is_in(&basis) && found.point.distance(function.jet(2.5)[0].into()) > 1e-3);
         }
         assert!(CurveBasis::Bernstein.control_points([CurveFunction::Circle.jet(0.0); 2]).is_none());

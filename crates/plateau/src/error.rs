@@ -171,6 +171,34 @@ pub enum MethodError {
         /// Rounding of the surface as a share of the size of its boundary.
         share: f64,
     },
+    /// A parameter at which a curve is not defined.
+    #[error("the curve lives between {start} and {end}, and has no point at {t}")]
+    Sample {
+        /// The parameter.
+        t: f64,
+        /// The first parameter of the curve.
+        start: f64,
+        /// The last parameter of the curve.
+        end: f64,
+    },
+    /// A control point of a planar curve lies off its plane.
+    #[error(
+        "control point {index} (counted from 0) is not in the plane z = 0: take the curve as one in space"
+    )]
+    NotPlanar {
+        /// The control point.
+        index: usize,
+    },
+    /// Parameters that cannot be those of cuts.
+    #[error(
+        "the cuts of a direction ascend between 0 and its span {span}; cut {index} (counted from 0) does not"
+    )]
+    Cuts {
+        /// The length of the interval.
+        span: f64,
+        /// The first that does not.
+        index: usize,
+    },
     /// Derivatives of a curve are not finite.
     #[error(
         "the derivatives of the curve near t = {t:?} are beyond double precision: scale its points or its span"

@@ -1,7 +1,7 @@
 //! Helicoid experiments: surfaces from exact nets (AHT, AT), their figures, and how far they lie from the closed form.
 
 use rayon::prelude::*;
-use surfaces::{Mesh, Patch, Pieces, SurfaceError};
+use surfaces::{Deformation, Mesh, Patch, Pieces, SurfaceError, TrapeziumHelicoid};
 
 use crate::{
     ClosedForm, Done, Family, Figures, MethodError, MethodResult, Progress, Search, Solved, Surface, Warning,
@@ -10,43 +10,68 @@ use crate::{
 
 pub use surfaces::DeformationPath;
 
-/// The generalized helicoid `x = a sinh u cos v − b cosh u sin v`, `y = a sinh u sin v + b cosh u cos v`,
-/// `z = a v + b u` over `[0, u_span] × [0, v_span]` (AHT, with the chart of spec §7).
-#[derive(Clone, Debug, PartialEq)]
+/// A helicoid, and the frames of the deformation that it may be shown with.
+///
+/// ```
+/// use plateau::{DeformationPath, Helicoid, helicoids};
+/// let catenoid = Helicoid::new(surfaces::Helicoid::new(0.0, 1.0, 1.5, 6.0)?);
+/// let bent = catenoid.deformed(5, DeformationPath::Trigonometric)?;
+/// assert_eq!(helicoids(&bent, 16, &()).len(), 6);
+/// # Ok::<(), surfaces::SurfaceError>(())
+/// ```
+#[derive(Clone, Debug)]
 pub struct Helicoid {
-    /// Weight of the right helicoid; finite, |a| ≤ 1e30; a and b are not both zero.
-    pub a: f64,
-    /// Weight of the catenoid; finite, |b| ≤ 1e30.
-    pub b: f64,
-    /// Length of the u interval, in [1e-6, 100]. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
-    pub u_span: f64,
-    /// Length of the v interval, in [1e-6, 1000]. May exceed `bases::Aht::SUPREMUM`: then several patches are needed.
-    pub v_span: f64,
-    /// The deformation from (a, b) = (1, 0) to (0, 1).
-    pub deformation: Option<Deformation>,
+    form: surfaces::Helicoid,
+    frames: Option<(usize, Deformation)>,
 }
 
-/// A family of helicoids from (a, b) = (1, 0), the right helicoid, to (0, 1), the catenoid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Deformation {
-    /// Number of frames, both ends included, in 2..=1000.
-    pub frames: usize,
-    /// How (a, b) moves with λ ∈ [0, 1]; [`DeformationPath::Trigonometric`] is an isometric bending.
-    pub path: DeformationPath,
+/// Equal helicoids with as many frames on the same path: what is made of them is equal.
+impl PartialEq for Helicoid {
+    fn eq(&self, other: &Self) -> bool {
+        let [ours, theirs] =
+            [self, other].map(|it| (it.form, it.frames(), it.deformation().map(Deformation::path)));
+        ours == theirs
+    }
 }
 
-/// The right helicoid `(w cos v, w sin v, v)` over the trapezium `0 ≤ v ≤ span`,
-/// `γ0 + β0 v ≤ w ≤ γ1 + β1 v` (AT, with the corrections of spec §7).
-#[derive(Clone, Debug, PartialEq)]
-pub struct TrapeziumHelicoid {
-    /// Length α of the v interval, in [1e-6, 1000]. May exceed 2π: then several patches are needed.
-    pub span: f64,
-    /// Offsets (γ0, γ1) of the two sides.
-    pub gamma: [f64; 2],
-    /// Slopes (β0, β1) of the two sides, which do not cross inside (0, span).
-    pub beta: [f64; 2],
-    /// Where its control points come from.
-    pub construction: Construction,
+impl Helicoid {
+    /// Most frames of a deformation.
+    pub const MOST_FRAMES: usize = 1000;
+
+    /// The helicoid alone. Where a span exceeds `bases::Aht::SUPREMUM`, it is cut into several patches.
+    #[must_use]
+    pub fn new(form: surfaces::Helicoid) -> Self {
+        Self { form, frames: None }
+    }
+
+    /// With so many frames, 2 to [`Self::MOST_FRAMES`], of the deformation from (a, b) = (1, 0), the right helicoid, to (0, 1), the
+    /// catenoid, both ends included; [`DeformationPath::Trigonometric`] is an isometric bending. Others are taken for the nearest.
+    ///
+    /// # Errors
+    /// As for [`surfaces::Deformation::new`].
+    pub fn deformed(self, frames: usize, path: DeformationPath) -> Result<Self, SurfaceError> {
+        let [u, v] = self.form.spans();
+        let deformation = Deformation::new(path, u, v)?;
+        Ok(Self { frames: Some((frames.clamp(2, Self::MOST_FRAMES), deformation)), ..self })
+    }
+
+    /// The helicoid.
+    #[must_use]
+    pub fn form(&self) -> &surfaces::Helicoid {
+        &self.form
+    }
+
+    /// How many frames there are; none without a deformation.
+    #[must_use]
+    pub fn frames(&self) -> usize {
+        self.frames.as_ref().map_or(0, |(frames, _)| *frames)
+    }
+
+    /// The deformation.
+    #[must_use]
+    pub fn deformation(&self) -> Option<&Deformation> {
+        self.frames.as_ref().map(|(_, deformation)| deformation)
+    }
 }
 
 /// How the control points of a helicoid over a trapezium are found; the two ways agree to rounding.
@@ -65,17 +90,17 @@ const BESIDE_THE_BOUND: f64 = 0.95;
 /// The helicoid (a, b), then the frames of the deformation, if there is one. A surface that fails takes none of the others
 /// with it.
 pub fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -> Vec<MethodResult> {
-    let (u, v) = (plan.u_span, plan.v_span);
+    let helicoid = plan.form;
     let spans = || -> Vec<Warning> {
         let bound = bases::Aht::SUPREMUM;
         let piece = [surfaces::Helicoid::LARGEST_WHOLE, surfaces::Helicoid::LARGEST_PIECE];
-        [("u-span", u), ("v-span", v)]
+        ["u-span", "v-span"]
             .into_iter()
+            .zip(helicoid.spans())
             .filter_map(|(name, span)| span_warning(name, span, bound, piece, "AHT"))
             .collect()
     };
     let exact = || -> Result<Done, MethodError> {
-        let helicoid = surfaces::Helicoid::new(plan.a, plan.b, u, v)?;
         let weights = Some(helicoid.weights());
         finish(
             (helicoid.pieces()?, Family::Aht),
@@ -86,17 +111,16 @@ pub fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -> Vec<M
         )
     };
     let mut surfaces = vec![result("helicoid".into(), exact())];
-    let Some(Deformation { frames, path }) = plan.deformation else { return surfaces };
+    let Some((frames, deformation)) = &plan.frames else { return surfaces };
+    let frames = *frames;
 
     let digits = frames.to_string().len();
     let named = |k: usize| format!("frame {:0digits$} of {frames}", k + 1);
     progress.begin("deformation", Some(frames as u64));
-    let deformation = surfaces::Deformation::new(path, u, v);
     let frame = |k: usize| -> Result<Done, MethodError> {
         if progress.cancelled() {
             return Err(MethodError::Interrupted);
         }
-        let deformation = deformation.as_ref().map_err(SurfaceError::clone)?;
         let lambda = k as f64 / (frames - 1) as f64;
         let closed = deformation.closed_form(lambda)?;
         let (surface, weights) = (deformation.surface(lambda)?, Some(closed.weights()));
@@ -111,14 +135,13 @@ pub fn helicoids(plan: &Helicoid, mesh: usize, progress: &dyn Progress) -> Vec<M
     surfaces
 }
 
-/// The helicoid over a trapezium.
-pub fn trapezium(plan: &TrapeziumHelicoid, mesh: usize) -> MethodResult {
+/// The helicoid over a trapezium; where its span exceeds 2π, it is cut into several patches.
+pub fn trapezium(helicoid: &TrapeziumHelicoid, construction: Construction, mesh: usize) -> MethodResult {
     let exact = || -> Result<Done, MethodError> {
-        let helicoid = surfaces::TrapeziumHelicoid::new(plan.span, plan.gamma, plan.beta)?;
         let bound = bases::At::SUPREMUM;
-        let piece = [surfaces::TrapeziumHelicoid::LARGEST_WHOLE, surfaces::TrapeziumHelicoid::LARGEST_PIECE];
-        let warnings = span_warning("span", plan.span, bound, piece, "AT").into_iter().collect();
-        let pieces = match plan.construction {
+        let piece = [TrapeziumHelicoid::LARGEST_WHOLE, TrapeziumHelicoid::LARGEST_PIECE];
+        let warnings = span_warning("span", helicoid.span(), bound, piece, "AT").into_iter().collect();
+        let pieces = match construction {
             Construction::EndpointRule => helicoid.pieces()?,
             Construction::Geometric => helicoid.constructed_pieces()?,
         };

@@ -38,7 +38,7 @@
 //! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`], [`Conditioning`], [`nonnegative_shapes()`]; [`Energy`], [`SearchEnergy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
 //! | numbers for people | [`Notation`], [`counted()`] |
 //! | running one | [`Context`], [`Arithmetic`], [`MethodError`] |
-//! | searches | [`Search`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
+//! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
 //! | results | [`Results`], [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
 //! | figures | [`Figures`], [`BoundaryFigures`], [`FilmFigures`], [`Seams`], [`Kink`]; [`Quantity`], [`Measured`]; [`ClosedForm`] |
 //! | least areas | [`least_area_from()`], [`least_area_raised()`], [`least_area_triangle_from()`], [`least_area_triangle_raised()`], [`least_area_complex()`], [`least_area_complex_near()`], [`dirichlet_complex()`]; [`AreaExtremal`], [`AreaEnd`], [`ValleyEnd`], [`Start`], [`Stage`] |
@@ -46,7 +46,7 @@
 //! | proved bounds from below | [`lower_bound()`], [`lower_bound_of_net()`], [`LowerBound`], [`CalibratedFace`], [`Competitors`], [`NoBound`] |
 //! | loops and graphs of curves | [`Loop`], [`CurveGraph`], [`GraphCurve`], [`FaceSide`]; [`Cutting`], [`CutBoundary`], [`Way`], [`CuttingError`], [`odd_corners()`] |
 //! | films | [`Film`], [`FilmFace`], [`FillEnergy`], [`Tried`] |
-//! | exact surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`], [`Construction`] |
+//! | exact surfaces | [`Helicoid`], [`DeformationPath`], [`Construction`] |
 //! | nets of one's own | [`OwnNet`], [`NetBasis`], [`OrderSix`], [`of_net()`] |
 //! | curves | [`Curve`], [`CurveBasis`], [`CurveFunction`], [`CurveEnd`], [`CurveResult`]; [`NearestCurve`], [`NearestCurveError`] |
 
@@ -120,9 +120,7 @@ pub use family::Family;
 pub use figures::Figures;
 pub use film::{Fill, FillEnergy, Film, FilmFace, Tried, fill};
 pub use film_figures::FilmFigures;
-pub use helicoid::{
-    Construction, Deformation, DeformationPath, Helicoid, TrapeziumHelicoid, helicoids, trapezium,
-};
+pub use helicoid::{Construction, DeformationPath, Helicoid, helicoids, trapezium};
 pub use keeper::Keeper;
 pub(crate) use least_area::costs_less;
 pub use least_area::{
@@ -143,7 +141,9 @@ pub use own_net::{NetBasis, OrderSix, OwnNet, of_net};
 pub use progress::Progress;
 pub use quantity::{Measured, Quantity};
 pub use seams::{Kink, Seams};
-pub use search::{MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchMode, SearchOutcome, SearchRun, Variant};
+pub use search::{
+    MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchFault, SearchMode, SearchOutcome, SearchRun, Variant,
+};
 pub use solve::solve;
 pub use solved::{SolveFigures, Solved};
 pub use surface::Surface;

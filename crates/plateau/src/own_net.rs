@@ -7,10 +7,32 @@ use crate::{BoundaryFigures, Done, Family, Figures, FixedShape, MethodError, Met
 /// A net of control points, all of them given, and the functions in which it is read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnNet {
-    /// The control points `P_ij`, i with u, j with v.
-    pub points: Net,
-    /// The functions; they have as many in each direction as the net has points.
-    pub basis: NetBasis,
+    points: Net,
+    basis: NetBasis,
+}
+
+impl OwnNet {
+    /// Control points `P_ij`, i with u, j with v, and their functions.
+    ///
+    /// # Errors
+    /// [`MethodError::Surface`], [`MethodError::Basis`] unless there are as many functions in each direction as points.
+    pub fn new(points: Net, basis: NetBasis) -> Result<Self, MethodError> {
+        let own = Self { points, basis };
+        surface(&own, anchor(own.points.points()))?;
+        Ok(own)
+    }
+
+    /// The control points.
+    #[must_use]
+    pub fn points(&self) -> &Net {
+        &self.points
+    }
+
+    /// The functions.
+    #[must_use]
+    pub fn basis(&self) -> &NetBasis {
+        &self.basis
+    }
 }
 
 /// The functions of a net, with the parameters they have.
@@ -29,10 +51,40 @@ pub enum NetBasis {
 /// What a net in functions of order 6 lives on, and where it is cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrderSix {
-    /// Lengths of the intervals of u and v, which begin at 0; of no meaning in a direction of two points.
-    pub spans: [f64; 2],
-    /// Parameters of u and of v at which the surface is subdivided, ascending inside the intervals; each part has a net of its own.
-    pub cuts: [Vec<f64>; 2],
+    spans: [f64; 2],
+    cuts: [Vec<f64>; 2],
+}
+
+impl OrderSix {
+    /// The lengths of the intervals of u and v, which begin at 0 (of no meaning in a direction of two points), and the parameters of u
+    /// and of v at which the surface is subdivided: each part has a net of its own.
+    ///
+    /// # Errors
+    /// [`MethodError::Cuts`] unless the cuts ascend inside the intervals.
+    pub fn new(spans: [f64; 2], cuts: [Vec<f64>; 2]) -> Result<Self, MethodError> {
+        for (&span, cuts) in spans.iter().zip(&cuts) {
+            let mut last = 0.0;
+            for (index, &cut) in cuts.iter().enumerate() {
+                if !(cut > last && cut < span) {
+                    return Err(MethodError::Cuts { span, index });
+                }
+                last = cut;
+            }
+        }
+        Ok(Self { spans, cuts })
+    }
+
+    /// The lengths of the intervals.
+    #[must_use]
+    pub fn spans(&self) -> [f64; 2] {
+        self.spans
+    }
+
+    /// The cuts of u and of v.
+    #[must_use]
+    pub fn cuts(&self) -> &[Vec<f64>; 2] {
+        &self.cuts
+    }
 }
 
 /// The surface of a net, with its figures. It is computed relative to a point near it, and moved back.
@@ -83,7 +135,23 @@ mod tests {
     use super::*;
 
     fn net_of(patch: &TensorPatch, cuts: [Vec<f64>; 2], spans: [f64; 2]) -> OwnNet {
-        OwnNet { points: patch.net().clone(), basis: NetBasis::Aht(OrderSix { spans, cuts }) }
+        OwnNet::new(patch.net().clone(), NetBasis::Aht(OrderSix::new(spans, cuts).unwrap())).unwrap()
+    }
+
+    #[test]
+    fn what_has_no_such_functions_is_no_net() {
+        assert!(matches!(
+            OrderSix::new([1.0; 2], [vec![0.5, 0.4], vec![]]),
+            Err(MethodError::Cuts { index: 1, .. })
+        ));
+        assert!(matches!(
+            OrderSix::new([1.0; 2], [vec![], vec![1.0]]),
+            Err(MethodError::Cuts { index: 0, .. })
+        ));
+        let five = Net::new(5, 2, vec![Point::ZERO; 10]).unwrap();
+        let six = OrderSix::new([1.0; 2], [vec![], vec![]]).unwrap();
+        assert!(OwnNet::new(five.clone(), NetBasis::Aht(six)).is_err());
+        assert!(OwnNet::new(five, NetBasis::Bernstein).is_ok());
     }
 
     #[test]

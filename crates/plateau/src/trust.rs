@@ -48,13 +48,13 @@ pub(crate) fn of_film(extremal: Option<&AreaExtremal>, figures: &Figures, warnin
 }
 
 fn of_search(outcome: &SearchOutcome, names: &[&'static str], search: &Search, warnings: &mut Vec<Warning>) {
-    let width = search.upper - search.lower;
-    for bound in [search.lower, search.upper] {
+    let [lower, upper] = search.bounds();
+    for bound in [lower, upper] {
         let parameters: Vec<&str> = names
             .iter()
             .copied()
             .zip(&outcome.shape)
-            .filter(|(_, x)| (*x - bound).abs() <= ON_THE_WALL * width)
+            .filter(|(_, x)| (*x - bound).abs() <= ON_THE_WALL * (upper - lower))
             .map(|(name, _)| name)
             .collect();
         if !parameters.is_empty() {

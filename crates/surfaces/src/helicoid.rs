@@ -67,6 +67,11 @@ impl Helicoid {
         self.weights
     }
 
+    /// The lengths of the intervals of u and v.
+    pub fn spans(&self) -> [f64; 2] {
+        [self.u, self.v].map(|(start, end)| end - start)
+    }
+
     /// The helicoid as one patch AHT ⊗ AHT on its 6 × 6 net, all points fixed, with parameters from 0: the patch at (u, v)
     /// is the helicoid at `(u.0 + u, v.0 + v)` (AHT §4, with the corrected control points).
     ///

@@ -60,6 +60,11 @@ impl TrapeziumHelicoid {
         Ok(Self { span, sides: [[gamma[0], beta[0]], [gamma[1], beta[1]]] })
     }
 
+    /// The length of the interval of v.
+    pub fn span(&self) -> f64 {
+        self.span
+    }
+
     /// The helicoid as one patch, degree 1 ⊗ AT, on its 2 × 6 net, all points fixed. Row i has x, y from
     /// `γ_i · (net of the circle) + β_i · (net of Archimedes' spiral)`, z from the net of v, not multiplied by β_i as AT (0.4)
     /// prints: that is right for β_i = 1 only.

@@ -23,7 +23,7 @@ pub fn write_curves(curves: &[CurveResult], out: &mut dyn Write) -> io::Result<(
 }
 
 fn lines(curve: &CurveResult, with_shape: bool, out: &mut dyn Write) -> io::Result<()> {
-    let shape = match curve.curve.basis {
+    let shape = match curve.curve.basis() {
         CurveBasis::Gt { shape: [first, second] } if with_shape => format!("{first:?},{second:?},"),
         CurveBasis::Gt { .. } | CurveBasis::Bernstein | CurveBasis::Aht { .. } | CurveBasis::At { .. } => {
             String::new()

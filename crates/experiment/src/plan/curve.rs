@@ -3,8 +3,9 @@
 use std::ops::{Range, RangeInclusive};
 
 use bases::{Aht, At};
-use plateau::{Curve, CurveBasis, CurveFunction, MAX_DEGREE, counted};
+use plateau::{Curve, CurveBasis, CurveFunction, MAX_DEGREE, MethodError, counted};
 use serde_spanned::Spanned;
+use surfaces::Point;
 
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
@@ -35,8 +36,17 @@ pub(super) fn curve(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(Vec<
     });
     let wanted = wanted(expect, subject);
     let ((points, dimension), samples) = (points?, samples?);
-    let curve = |basis| Curve { basis, points: points.clone(), dimension, samples: samples.clone() };
-    Some((bases?.into_iter().map(curve).collect(), wanted?))
+    let points: Vec<Point> = points.into_iter().map(Point::from).collect();
+    let curve = |basis| {
+        let curve = Curve::new(basis, points.clone(), samples.clone())?;
+        if dimension == 2 { curve.planar() } else { Ok(curve) }
+    };
+    let curves: Result<Vec<Curve>, MethodError> = bases?.into_iter().map(curve).collect();
+    let refused = |error| {
+        let what = format!("[curve] is no curve: {error}");
+        table.faults().inadmissible(table.span(), what, "all of it together", "change its numbers");
+    };
+    Some((curves.map_err(refused).ok()?, wanted?))
 }
 
 /// The parameters of a basis, as the file has them.

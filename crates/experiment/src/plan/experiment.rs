@@ -122,7 +122,9 @@ fn experiment(root: &Table<'_>) -> Option<(Experiment, Vec<Wanted>)> {
     }
     if let Given::Sound(table) = trapezium_table {
         let found = trapezium(table.get_ref(), expect);
-        return found.map(|(it, wanted)| (Experiment::TrapeziumHelicoid(it), vec![wanted]));
+        return found.map(|((it, construction), wanted)| {
+            (Experiment::TrapeziumHelicoid(it, construction), vec![wanted])
+        });
     }
     if let Given::Sound(table) = net_table {
         return net(table.get_ref(), expect).map(|(it, wanted)| (Experiment::Net(it), vec![wanted]));

@@ -1,7 +1,8 @@
 //! `[helicoid]` and `[trapezium-helicoid]`.
 
-use plateau::{Deformation, DeformationPath, Helicoid, TrapeziumHelicoid};
+use plateau::{Construction, DeformationPath, Helicoid};
 use serde_spanned::Spanned;
+use surfaces::{SurfaceError, TrapeziumHelicoid};
 
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
@@ -19,14 +20,28 @@ pub(super) fn helicoid(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(H
     if !is_large_enough(table, &a, &b) {
         return None;
     }
-    let helicoid = Helicoid {
-        a: a.into_inner(),
-        b: b.into_inner(),
-        u_span: u_span?.into_inner(),
-        v_span: v_span?.into_inner(),
-        deformation: deformation?,
+    let (u_span, v_span) = (u_span?.into_inner(), v_span?.into_inner());
+    let form = surfaces::Helicoid::new(a.into_inner(), b.into_inner(), u_span, v_span);
+    let helicoid = Helicoid::new(told(table, form)?);
+    let helicoid = match deformation? {
+        Some((frames, path)) => told(table, helicoid.deformed(frames, path))?,
+        None => helicoid,
     };
     Some((helicoid, wanted?))
+}
+
+/// What the geometry refuses beyond the limits of single keys.
+fn told<T>(table: &Table<'_>, made: Result<T, SurfaceError>) -> Option<T> {
+    made.map_err(|error| {
+        let span = table.span();
+        table.faults().inadmissible(
+            span,
+            format!("{} makes no surface: {error}", table.name()),
+            "all of it together",
+            "change its numbers",
+        );
+    })
+    .ok()
 }
 
 fn is_large_enough(table: &Table<'_>, a: &Spanned<f64>, b: &Spanned<f64>) -> bool {
@@ -53,14 +68,14 @@ fn is_large_enough(table: &Table<'_>, a: &Spanned<f64>, b: &Spanned<f64>) -> boo
 }
 
 /// `None` if faulty; `Some(None)` if there is none.
-fn deformation(table: &Table<'_>) -> Option<Option<Deformation>> {
+fn deformation(table: &Table<'_>) -> Option<Option<(usize, DeformationPath)>> {
     let frames = table.take(&FRAMES);
     let given_path = table.take(&PATH);
     let degree = table.take(&PATH_DEGREE);
     let path = table.or_default(&PATH, &given_path).and_then(|path| with_degree(table, path, &degree));
     match (frames, given_path) {
         (Given::Faulty, _) => None,
-        (Given::Sound(frames), _) => Some(Some(Deformation { frames: frames.into_inner(), path: path? })),
+        (Given::Sound(frames), _) => Some(Some((frames.into_inner(), path?))),
         (Given::Absent, Given::Absent) => path.map(|_| None),
         (Given::Absent, Given::Faulty) => None,
         (Given::Absent, Given::Sound(path)) => {
@@ -100,7 +115,10 @@ fn with_degree(table: &Table<'_>, path: Path, degree: &Given<u32>) -> Option<Def
 }
 
 /// Checks `[trapezium-helicoid]`.
-pub(super) fn trapezium(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(TrapeziumHelicoid, Wanted)> {
+pub(super) fn trapezium(
+    table: &Table<'_>,
+    expect: Given<Table<'_>>,
+) -> Option<((TrapeziumHelicoid, Construction), Wanted)> {
     let span = table.require(&SPAN);
     let (gamma, beta) = (table.require(&GAMMA), table.require(&BETA));
     let construction = table.take_or_default(&CONSTRUCTION);
@@ -127,7 +145,8 @@ pub(super) fn trapezium(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(
         );
         return None;
     }
-    Some((TrapeziumHelicoid { span, gamma, beta, construction: construction? }, wanted?))
+    let helicoid = told(table, TrapeziumHelicoid::new(span, gamma, beta))?;
+    Some(((helicoid, construction?), wanted?))
 }
 
 fn pair(numbers: &Spanned<Vec<Spanned<f64>>>) -> Option<[f64; 2]> {

@@ -27,14 +27,19 @@ pub(super) fn fits(root: &Table<'_>, experiment: &Experiment, mesh: usize) {
             histories_fit(root, experiment);
         }
         Experiment::Film(film) => meshes_fit(root, film.methods.len(), mesh),
-        Experiment::TrapeziumHelicoid(_) | Experiment::Net(_) | Experiment::Curve(_) => {}
+        Experiment::TrapeziumHelicoid(..) | Experiment::Net(_) | Experiment::Curve(_) => {}
     }
 }
 
 fn frames_fit(root: &Table<'_>, helicoid: &Helicoid, mesh: usize) {
-    let Some(frames) = helicoid.deformation.map(|deformation| deformation.frames) else { return };
+    let frames = helicoid.frames();
+    if frames == 0 {
+        return;
+    }
     let most = MOST_VERTICES_OF_FRAMES / frames;
-    let patches: f64 = [helicoid.u_span, helicoid.v_span]
+    let patches: f64 = helicoid
+        .form()
+        .spans()
         .map(|span| (span / surfaces::Helicoid::LARGEST_PIECE).ceil())
         .iter()
         .product();
@@ -76,7 +81,7 @@ fn histories_fit(root: &Table<'_>, experiment: &PatchExperiment) {
         Some(SearchMode::Polish) | None => false,
     };
     let swarms = experiment.methods.iter().filter(by_swarm).count();
-    let (runs, iterations) = (experiment.search.runs, experiment.search.iterations);
+    let (runs, iterations) = (experiment.search.runs(), experiment.search.iterations());
     let numbers = swarms * runs * (iterations + 1);
     if numbers <= MOST_HISTORY {
         return;

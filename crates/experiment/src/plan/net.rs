@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use bases::{Aht, At};
-use plateau::{MIN_SIZE, NetBasis, OrderSix, OwnNet, ShapedFamily, counted};
+use plateau::{MIN_SIZE, MethodError, NetBasis, OrderSix, OwnNet, ShapedFamily, counted};
 use serde_spanned::Spanned;
 use surfaces::{Net, Point};
 
@@ -54,7 +54,14 @@ pub(super) fn net(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(OwnNet
         Family::Aht => order_six(table, &rows, counts, &directions, Aht::SUPREMUM).map(NetBasis::Aht),
         Family::At => order_six(table, &rows, counts, &directions, At::SUPREMUM).map(NetBasis::At),
     };
-    Some((OwnNet { points, basis: basis.filter(|_| fits)? }, wanted?))
+    let net = OwnNet::new(points, basis.filter(|_| fits)?).map_err(|error| refused(table, &rows, &error));
+    Some((net.ok()?, wanted?))
+}
+
+/// What the geometry refuses beyond the limits of single keys.
+fn refused(table: &Table<'_>, rows: &Rows, error: &MethodError) {
+    let what = format!("[net] is no net of this basis: {error}");
+    table.faults().inadmissible(rows.span(), what, "the net", "change its points, or the basis");
 }
 
 /// One of u and v: the keys it has.
@@ -156,7 +163,7 @@ fn order_six(
     }
     let [u, v] = [0, 1].map(|k| directions[k].read(table, counts[k], bound));
     let ((u_span, u_cuts), (v_span, v_cuts)) = (u?, v?);
-    Some(OrderSix { spans: [u_span, v_span], cuts: [u_cuts, v_cuts] })
+    OrderSix::new([u_span, v_span], [u_cuts, v_cuts]).map_err(|error| refused(table, rows, &error)).ok()
 }
 
 impl Direction {

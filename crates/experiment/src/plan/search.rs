@@ -1,6 +1,6 @@
 //! `[search]`: the swarm and its box.
 
-use plateau::{MAX_SEARCH_BUDGET, Search, Variant};
+use plateau::{MAX_SEARCH_BUDGET, Search, SearchFault, Variant};
 
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::search::{
@@ -24,18 +24,23 @@ pub(super) fn search(table: &Table<'_>) -> Option<Search> {
         (Topology::Global, _) => Variant::Global,
         (Topology::Local, neighbours) => Variant::Local { neighbours },
     };
-    let search = Search {
-        variant,
-        particles: particles?,
-        iterations: iterations?,
-        runs: runs?,
-        inertia: inertia?,
-        social: social?,
-        cognitive: cognitive?,
-        lower,
-        upper,
+    let counts = [particles?, iterations?, runs?];
+    if !is_within_budget(table, counts) {
+        return None;
+    }
+    let (inertia, social, cognitive) = (inertia?, social?, cognitive?);
+    let search = || -> Result<Search, SearchFault> {
+        let [particles, iterations, runs] = counts;
+        Search::default()
+            .with_variant(variant)?
+            .with_swarm(particles, iterations, runs)?
+            .with_weights(inertia, social, cognitive)?
+            .with_box(lower, upper)
     };
-    is_within_budget(table, &search).then_some(search)
+    let refused = |fault: SearchFault| {
+        table.faults().inadmissible(table.span(), fault.to_string(), "this search", "change its numbers");
+    };
+    search().map_err(refused).ok()
 }
 
 fn bounds(table: &Table<'_>) -> Option<[f64; 2]> {
@@ -54,8 +59,8 @@ fn bounds(table: &Table<'_>) -> Option<[f64; 2]> {
     None
 }
 
-fn is_within_budget(table: &Table<'_>, search: &Search) -> bool {
-    let counts = [("particles", search.particles), ("iterations", search.iterations), ("runs", search.runs)];
+fn is_within_budget(table: &Table<'_>, [particles, iterations, runs]: [usize; 3]) -> bool {
+    let counts = [("particles", particles), ("iterations", iterations), ("runs", runs)];
     let budget = counts.iter().fold(1u64, |product, &(_, count)| product.saturating_mul(count as u64));
     if budget <= MAX_SEARCH_BUDGET {
         return true;
@@ -67,8 +72,7 @@ fn is_within_budget(table: &Table<'_>, search: &Search) -> bool {
             Fault::Inadmissible,
             span,
             format!(
-                "[search] asks for {budget} evaluations: {} particles × {} iterations × {} runs",
-                search.particles, search.iterations, search.runs
+                "[search] asks for {budget} evaluations: {particles} particles × {iterations} iterations × {runs} runs"
             ),
             "the largest of the three",
         )

@@ -10,7 +10,7 @@ mod reduced;
 mod reduced_energy;
 mod runs;
 
-pub use options::{MAX_SEARCH_BUDGET, Search, SearchMode, Variant};
+pub use options::{MAX_SEARCH_BUDGET, Search, SearchFault, SearchMode, Variant};
 pub use outcome::{SearchOutcome, SearchRun};
 pub use reduced_energy::ReducedEnergy;
 pub(crate) use runs::search;

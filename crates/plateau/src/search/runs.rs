@@ -30,17 +30,17 @@ impl Search<'_> {
             self.context.keeper.refuse(self.context.index, k);
             None
         };
-        let kept: Vec<Option<SearchRun>> = (0..options.runs).map(kept).collect();
+        let kept: Vec<Option<SearchRun>> = (0..options.runs()).map(kept).collect();
         let ahead = kept.iter().filter(|run| run.is_none()).count() as u64;
         let pso = self.swarm();
         match self.mode {
             SearchMode::Polish => {
-                Polish::default().validate_starts(self.bounds.dimension(), self.bounds, options.runs)?;
+                Polish::default().validate_starts(self.bounds.dimension(), self.bounds, options.runs())?;
                 progress.begin(&format!("descending for {name}"), Some(ahead));
             }
             SearchMode::Pso | SearchMode::PsoPolish => {
-                pso.validate_search(self.bounds.dimension(), self.bounds, options.runs)?;
-                let steps = ahead * (options.iterations as u64 + 1);
+                pso.validate_search(self.bounds.dimension(), self.bounds, options.runs())?;
+                let steps = ahead * (options.iterations() as u64 + 1);
                 progress.begin(&format!("searching for {name}"), Some(steps));
             }
         }
@@ -104,13 +104,14 @@ impl Search<'_> {
 
     fn swarm(&self) -> Pso {
         let options = &self.context.search;
+        let [inertia, social, cognitive] = options.weights();
         Pso {
-            particles: options.particles,
-            iterations: options.iterations,
-            inertia: options.inertia,
-            social: options.social,
-            cognitive: options.cognitive,
-            topology: match options.variant {
+            particles: options.particles(),
+            iterations: options.iterations(),
+            inertia,
+            social,
+            cognitive,
+            topology: match options.variant() {
                 Variant::Global => Topology::Global,
                 Variant::Local { neighbours } => Topology::Ring { neighbours },
             },
@@ -129,7 +130,7 @@ pub(crate) fn search(
     context: &Context<'_>,
 ) -> Result<SearchOutcome, MethodError> {
     let options = &context.search;
-    let (lower, upper, range) = (options.lower, options.upper, family.range());
+    let ([lower, upper], range) = (options.bounds(), family.range());
     if !(range.0 <= lower && lower < upper && upper <= range.1) {
         return Err(MethodError::SearchBox { lower, upper, family: family.title(), range });
     }

@@ -27,11 +27,11 @@ pub(super) fn picture(results: &[CurveResult]) -> Option<Picture> {
     let first = results.first()?;
     let drawn = results.iter().zip(LINES.iter().copied().cycle()).map(|(result, colour)| {
         let plan = &result.curve;
-        let [start, end] = plan.basis.domain();
+        let [start, end] = plan.basis().domain();
         let samples = (0..FINE)
             .map(|k| if k + 1 == FINE { end } else { start + (end - start) * (k as f64 / (FINE - 1) as f64) })
             .collect();
-        let fine = sample(&Curve { samples, ..plan.clone() }).ok()?;
+        let fine = sample(&plan.clone().sampled_at(samples).ok()?).ok()?;
         Some(Drawn { result, fine, colour: if results.len() == 1 { ACCENT } else { colour } })
     });
     let drawn: Vec<Drawn<'_>> = drawn.collect::<Option<_>>()?;
@@ -64,13 +64,13 @@ pub(super) fn picture(results: &[CurveResult]) -> Option<Picture> {
 /// The curves in their plane; space curves from the front, the left and above.
 fn shape(svg: &mut Svg, plan: &Curve, drawn: &[Drawn<'_>], below: f64) {
     let flat = |p: [f64; 3]| {
-        if plan.dimension == 2 {
+        if plan.dimension() == 2 {
             [p[0], p[1]]
         } else {
             [0.85 * p[0] + 0.53 * p[1], 0.26 * p[1] - 0.42 * p[0] + 0.87 * p[2]]
         }
     };
-    let polygon: Vec<[f64; 2]> = plan.points.iter().map(|&p| flat(p)).collect();
+    let polygon: Vec<[f64; 2]> = plan.points().iter().map(|&p| flat(p.into())).collect();
     let curves: Vec<Vec<[f64; 2]>> = drawn
         .iter()
         .map(|drawn| drawn.fine.jets.iter().map(|jet| flat(jet.point.into())).collect())
@@ -90,7 +90,7 @@ fn shape(svg: &mut Svg, plan: &Curve, drawn: &[Drawn<'_>], below: f64) {
     let x = Axis::linear(x0, x1, [76.0, 76.0 + room[0]], 5);
     let y = Axis::linear(y0, y1, [56.0 + below + room[1], 56.0 + below], 5);
     let labels =
-        if plan.dimension == 2 { ["x (length)", "y (length)"] } else { ["across (length)", "up (length)"] };
+        if plan.dimension() == 2 { ["x (length)", "y (length)"] } else { ["across (length)", "up (length)"] };
     frame(svg, &x, &y, labels[0], labels[1]);
     let at = |p: &[f64; 2]| [x.at(p[0]), y.at(p[1])];
     let d = path(polygon.iter().map(at), false);
@@ -133,7 +133,7 @@ fn curvature(svg: &mut Svg, drawn: &[Drawn<'_>], signed: bool, below: f64) {
     let high = known.iter().fold(0.0, |high: f64, &k| high.max(shown(k)));
     let pad = 0.06 * (high - low);
     let (under, above) = (if low < 0.0 { pad } else { 0.0 }, if high > 0.0 { pad } else { 0.0 });
-    let domain = drawn[0].result.curve.basis.domain();
+    let domain = drawn[0].result.curve.basis().domain();
     let t = Axis::linear(domain[0], domain[1], [left, right], 5);
     let k = Axis::linear(low - under, high + above, [bottom, top], 5);
     let label = if signed { "signed curvature κ (1/length)" } else { "curvature κ (1/length)" };
