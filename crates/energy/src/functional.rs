@@ -13,17 +13,39 @@ pub struct DensityTerm {
     pub v: (usize, usize),
 }
 
-/// The quadratic energies of a patch; each integrates a sum of products of two partial derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Functional {
+/// The enum, the list of its variants, which none can be left out of, and their words.
+macro_rules! functionals {
+    ($($(#[$meaning:meta])* $variant:ident = $word:literal;)*) => {
+        /// The quadratic energies of a patch; each integrates a sum of products of two partial derivatives.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Functional {
+            $($(#[$meaning])* $variant,)*
+        }
+
+        impl Functional {
+            /// Every one of them.
+            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$variant),*];
+
+            /// Its word.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $word,)*
+                }
+            }
+        }
+    };
+}
+
+functionals! {
     /// `½ ∫ ‖S_u‖² + ‖S_v‖²`, length² (GT (3.3)): never below the area, and equal to it exactly for conformal charts.
-    Dirichlet,
+    Dirichlet = "dirichlet";
     /// `∫ ‖S_uu + S_vv‖²`, the Laplacian defect (GT (6.4)): zero exactly for harmonic charts; its extremal is the quasi-harmonic patch.
-    Laplacian,
+    Laplacian = "laplacian";
     /// `∫ ‖S_uu‖² + 2‖S_uv‖² + ‖S_vv‖²`, the bending energy of a linear plate: the bending-energy method of GT Table 1.
-    Bending,
+    Bending = "bending";
     /// `∫ ‖S_uv‖²`, the Coons functional (COONS (1), (4)): its extremals among all charts are the bilinearly blended Coons patches.
-    Coons,
+    Coons = "coons";
 }
 
 /// Over the equilateral triangle of area ½ the inverse metric of (u, v) is `c [1 −½; −½ 1]` with c = 2/√3.
@@ -35,20 +57,6 @@ const fn term(coefficient: f64, u: (usize, usize), v: (usize, usize)) -> Density
 }
 
 impl Functional {
-    /// Every one of them.
-    pub const ALL: [Self; 4] = [Self::Dirichlet, Self::Laplacian, Self::Bending, Self::Coons];
-
-    /// Its word.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Dirichlet => "dirichlet",
-            Self::Laplacian => "laplacian",
-            Self::Bending => "bending",
-            Self::Coons => "coons",
-        }
-    }
-
     /// The terms of the density.
     #[must_use]
     pub const fn terms(self) -> &'static [DensityTerm] {

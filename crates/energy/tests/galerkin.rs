@@ -13,9 +13,6 @@ use surfaces::{Jet, Patch, Point, TensorPatch, TriangleBasis, TriangleNet};
 
 const RATIO: f64 = 30.0;
 
-const ALL: [Functional; 4] =
-    [Functional::Dirichlet, Functional::Laplacian, Functional::Bending, Functional::Coons];
-
 fn derivative(jet: &Jet, order: [usize; 2]) -> Point {
     match order {
         [1, 0] => jet.u,
@@ -102,7 +99,7 @@ fn tensor_extremals() {
     let mut random = Random(1);
     for kind in ["Bernstein", "GT", "TB-Coons"] {
         for n in [2, 3, 4, 6, 8] {
-            for functional in ALL {
+            for functional in Functional::ALL {
                 // The Laplacian defect does not determine biquadratic and bicubic interiors of all kinds.
                 if n < 4 && functional == Functional::Laplacian {
                     continue;
@@ -136,7 +133,7 @@ fn separated_extremals() {
 fn triangular_extremals() {
     let mut random = Random(3);
     for n in [3, 4, 5, 7, 10, 14] {
-        for functional in ALL {
+        for functional in Functional::ALL {
             let net = random.triangle(n);
             let patch = triangle_extremal(functional, &net);
             check("triangular", functional, n, of_triangle(functional, patch.net(), &patch));

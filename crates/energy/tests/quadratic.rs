@@ -5,9 +5,6 @@ use energy::{Functional, QuadraticForm, ShapeForm, area, integrate};
 use proptest::prelude::*;
 use surfaces::{Jet, Net, Point, ShapedFamily, TensorPatch, tb_coons};
 
-const ALL: [Functional; 4] =
-    [Functional::Dirichlet, Functional::Laplacian, Functional::Bending, Functional::Coons];
-
 fn density(functional: Functional) -> fn(&Jet) -> f64 {
     match functional {
         Functional::Dirichlet => |j| j.dirichlet_density(),
@@ -42,7 +39,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn values_are_the_integrals_of_the_densities(patch in patch(), f in prop::sample::select(ALL.to_vec())) {
+    fn values_are_the_integrals_of_the_densities(patch in patch(), f in prop::sample::select(Functional::ALL.to_vec())) {
         let by_form = QuadraticForm::of(f, &patch).unwrap().value(&patch.net().coordinates());
         let [by_quadrature] = integrate(&patch, 1e-12, [0.0], |jet| [density(f)(jet)]).unwrap();
         prop_assert!(by_quadrature.settled);
@@ -50,7 +47,7 @@ proptest! {
     }
 
     #[test]
-    fn matrix_gradient_and_value_agree(patch in patch(), f in prop::sample::select(ALL.to_vec())) {
+    fn matrix_gradient_and_value_agree(patch in patch(), f in prop::sample::select(Functional::ALL.to_vec())) {
         let form = QuadraticForm::of(f, &patch).unwrap();
         let x = patch.net().coordinates();
         let q = form.matrix();
@@ -76,7 +73,7 @@ proptest! {
     }
 
     #[test]
-    fn one_polynomial_holds_every_shape(net in net(), shape in shape(), f in prop::sample::select(ALL.to_vec()), blend in any::<bool>()) {
+    fn one_polynomial_holds_every_shape(net in net(), shape in shape(), f in prop::sample::select(Functional::ALL.to_vec()), blend in any::<bool>()) {
         let (kind, patch) = if blend {
             (ShapedFamily::TbCoons, tb_coons(net.clone(), shape).unwrap())
         } else {

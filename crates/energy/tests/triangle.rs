@@ -13,9 +13,6 @@ use surfaces::{
     Patch, Point, TriangleBasis, TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle,
 };
 
-const ALL: [Functional; 4] =
-    [Functional::Dirichlet, Functional::Laplacian, Functional::Bending, Functional::Coons];
-
 fn form(functional: Functional, n: usize) -> DenseForm {
     DenseForm::of_triangle(functional, n).expect("offered")
 }
@@ -85,7 +82,7 @@ proptest! {
     #[test]
     fn forms_integrate_their_densities(net in random_net()) {
         let patch = TrianglePatch::new(net.clone()).unwrap();
-        for functional in ALL {
+        for functional in Functional::ALL {
             let [direct] = integrate(&patch, 1e-12, [1e-300], |jet| [match functional {
                 Functional::Dirichlet => jet.dirichlet_density(),
                 Functional::Laplacian => jet.laplacian().dot(jet.laplacian()),
@@ -120,7 +117,7 @@ proptest! {
     #[test]
     fn over_the_equilateral_triangle_no_corner_is_apart(net in random_net()) {
         let n = net.degree();
-        for functional in ALL {
+        for functional in Functional::ALL {
             let form = DenseForm::of_triangle_over(ReferenceTriangle::Equilateral, functional, n).unwrap();
             let x = net.coordinates();
             let (value, scale) = (form.value(&x), form.matrix().max_abs() * x.iter().map(|x| x * x).sum::<f64>());
@@ -149,7 +146,7 @@ proptest! {
             [0.5 * (x.dot(x) + y.dot(y)), laplacian.dot(laplacian), xx.dot(xx) + 2.0 * xy.dot(xy) + yy.dot(yy)]
         })
         .unwrap();
-        for (functional, direct) in ALL.into_iter().zip(direct) {
+        for (functional, direct) in Functional::ALL.into_iter().zip(direct) {
             let form = DenseForm::of_triangle_over(ReferenceTriangle::Equilateral, functional, net.degree()).unwrap();
             let x = net.coordinates();
             let scale = form.matrix().max_abs() * x.iter().map(|x| x * x).sum::<f64>();
@@ -159,7 +156,7 @@ proptest! {
 
     #[test]
     fn extremals_are_minimal(net in border(), step in -0.5..0.5f64, at in 0usize..1000) {
-        for functional in ALL {
+        for functional in Functional::ALL {
             let form = form(functional, net.degree());
             let best = extremal(&form, &net);
             let mut x = best.coordinates();
@@ -204,7 +201,7 @@ proptest! {
 
 #[test]
 fn quadrature_gives_the_same_entries() {
-    for functional in ALL {
+    for functional in Functional::ALL {
         for n in [1, 2, 3, 4, 7, 12] {
             let (closed, gauss) =
                 (form(functional, n), DenseForm::of_triangle_by_quadrature(functional, n).unwrap());
@@ -299,7 +296,7 @@ fn forms_vanish_on_what_their_density_vanishes_on() {
             .indices()
             .flat_map(|[i, j, _]| [i as f64, j as f64, 1.0])
             .collect();
-        for functional in ALL {
+        for functional in Functional::ALL {
             let form = form(functional, n);
             let value = form.value(&affine);
             let scale = form.matrix().max_abs() * (n * n * n * n) as f64;

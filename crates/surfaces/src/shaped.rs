@@ -7,16 +7,38 @@ use bases::{Basis, BasisError, GtBubbles, GtParts, Lobatto, Matrix, Stacked};
 
 use crate::{Net, Product, SurfaceError, TensorPatch, bernstein_less_blend, end_blend, tb_coons};
 
-/// A family of tensor patches whose functions have shape parameters.
-///
-/// What a family is, is said here and nowhere else: its words, its parameters, its patch, how the shape moves its functions, its
-/// functions that vanish on the border.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ShapedFamily {
+/// The enum, the list of its variants, which none can be left out of, and their titles.
+macro_rules! shaped_families {
+    ($($(#[$meaning:meta])* $variant:ident = $title:literal;)*) => {
+        /// A family of tensor patches whose functions have shape parameters.
+        ///
+        /// What a family is, is said here and nowhere else: its words, its parameters, its patch, how the shape moves its functions, its
+        /// functions that vanish on the border.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum ShapedFamily {
+            $($(#[$meaning])* $variant,)*
+        }
+
+        impl ShapedFamily {
+            /// Every family.
+            pub const ALL: [Self; [$($title),*].len()] = [$(Self::$variant),*];
+
+            /// What a sentence calls its functions.
+            #[must_use]
+            pub const fn title(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $title,)*
+                }
+            }
+        }
+    };
+}
+
+shaped_families! {
     /// Tensor products of generalized trigonometric functions (GT (3.2)).
-    Gt,
+    Gt = "the GT basis";
     /// The Bernstein–GT Coons blend (GT §7).
-    TbCoons,
+    TbCoons = "the TB–Coons blend";
 }
 
 /// How the shape moves a family of N functions in one direction.
@@ -54,9 +76,6 @@ impl ShapeFactor {
 }
 
 impl ShapedFamily {
-    /// Every family.
-    pub const ALL: [Self; 2] = [Self::Gt, Self::TbCoons];
-
     /// The words of the kinds of tensor patches; those of blends with their families.
     pub const PATCHES: [(&'static str, Option<Self>); 2] =
         [("tensor", None), ("tb-coons", Some(Self::TbCoons))];
@@ -70,15 +89,6 @@ impl ShapedFamily {
         match self {
             Self::Gt => ("tensor", "gt"),
             Self::TbCoons => ("tb-coons", "gt"),
-        }
-    }
-
-    /// What a sentence calls its functions.
-    #[must_use]
-    pub const fn title(self) -> &'static str {
-        match self {
-            Self::Gt => "the GT basis",
-            Self::TbCoons => "the TB–Coons blend",
         }
     }
 

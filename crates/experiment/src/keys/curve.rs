@@ -109,13 +109,14 @@ impl Kind for Shapes {
     }
 }
 
-pub(crate) static BASIS: Key<Name<Family>> = Key::new(
-    "basis",
-    Name(&[("bernstein", Family::Bernstein), ("gt", Family::Gt), ("aht", Family::Aht), ("at", Family::At)]),
-    "the basis of the control points: \"bernstein\", \"gt\", \"aht\" or \"at\"",
-)
-.required()
-.such_as("\"gt\"");
+/// The families of functions by their words.
+pub(super) const FAMILIES: Name<Family> =
+    Name(&[("bernstein", Family::Bernstein), ("gt", Family::Gt), ("aht", Family::Aht), ("at", Family::At)]);
+
+pub(crate) static BASIS: Key<Name<Family>> =
+    Key::new("basis", FAMILIES, "the basis of the control points: \"bernstein\", \"gt\", \"aht\" or \"at\"")
+        .required()
+        .such_as("\"gt\"");
 pub(crate) static SHAPE: Key<Shapes> = Key::new(
     "shape",
     Shapes,

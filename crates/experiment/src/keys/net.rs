@@ -2,7 +2,7 @@
 
 use plateau::{MAX_COORDINATE, MAX_DEGREE};
 
-use super::curve::Family;
+use super::curve::{FAMILIES, Family};
 use super::helicoid::SHORTEST;
 use super::method::SHAPES;
 use crate::text::{Interval, Key, List, Name, Points, Reals, Section, Ways};
@@ -19,7 +19,7 @@ pub(crate) const BOUNDS: &str = "the functions live on [0, span]; beyond 7.85320
 
 pub(crate) static BASIS: Key<Name<Family>> = Key::new(
     "basis",
-    Name(&[("bernstein", Family::Bernstein), ("gt", Family::Gt), ("aht", Family::Aht), ("at", Family::At)]),
+    FAMILIES,
     "the functions in which the net is read; \"aht\" and \"at\" take 6 points in a direction, or 2 where the surface is linear",
 )
 .required()

@@ -1,5 +1,7 @@
 //! `[search]`.
 
+use plateau::Search;
+
 use crate::text::{Interval, Key, Name, Reals, Section, Ways, Whole};
 
 /// Who informs a particle.
@@ -21,11 +23,18 @@ pub(crate) static PARTICLES: Key<Whole<usize>> = Key::new(
     "the number of particles of a swarm",
 )
 .or("50");
-pub(crate) static ITERATIONS: Key<Whole<usize>> =
-    Key::new("iterations", Whole::between(1, 1_000_000), "the number of iterations of a run").or("100");
-pub(crate) static RUNS: Key<Whole<usize>> =
-    Key::new("runs", Whole::between(1, 10_000), "the number of independent runs, or of starts of a polish")
-        .or("10");
+pub(crate) static ITERATIONS: Key<Whole<usize>> = Key::new(
+    "iterations",
+    Whole::between(1, Search::MOST_ITERATIONS as u64),
+    "the number of iterations of a run",
+)
+.or("100");
+pub(crate) static RUNS: Key<Whole<usize>> = Key::new(
+    "runs",
+    Whole::between(1, Search::MOST_RUNS as u64),
+    "the number of independent runs, or of starts of a polish",
+)
+.or("10");
 pub(crate) static INERTIA: Key<Interval> =
     Key::new("inertia", Interval::between(0.0, 1.0), "the inertia w of the velocity").or("0.7");
 pub(crate) static SOCIAL: Key<Interval> = Key::new(

@@ -78,11 +78,13 @@ impl Draft<'_> {
             (Given::Absent, Some(mode)) => Some(Shape::Search(mode)),
             (Given::Sound(shape), None) => fixed_shape(&self.table, family, shape).map(Shape::Fixed),
             (Given::Absent, None) => {
-                self.table.missing(
-                    "shape",
-                    "the GT basis needs shape parameters: give shape = [a1, a2, b1, b2], each in [0, 4] (a in u, b in \
-                     v), or find them by search = true",
+                let (from, to) = family.range();
+                let help = format!(
+                    "{} needs shape parameters: give shape = [{}], each in [{from}, {to}], or find them by search = true",
+                    family.title(),
+                    family.parameters().join(", ")
                 );
+                self.table.missing("shape", &help);
                 None
             }
         }
@@ -95,7 +97,10 @@ pub(super) fn fixed_shape(
     family: ShapedFamily,
     numbers: &Spanned<Vec<Spanned<f64>>>,
 ) -> Option<FixedShape> {
-    if !has_no_zero_pair(table, numbers) {
+    let is_sound = match family {
+        ShapedFamily::Gt | ShapedFamily::TbCoons => has_no_zero_pair(table, numbers),
+    };
+    if !is_sound {
         return None;
     }
     let values = numbers.get_ref().iter().map(|number| *number.get_ref()).collect();
