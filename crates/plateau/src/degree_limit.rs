@@ -18,7 +18,7 @@ pub enum DegreeLimit {
     #[error("harmonic nets are offered to degree {}", self.degree())]
     Harmonic,
     /// Least areas of tensor nets: at degree 32 the rounding of control points may be seen in the seventh digit of the area, at 40 nothing else.
-    #[error("least areas are offered to degree {}", self.degree())]
+    #[error("least areas are offered to degree {}: beyond, their control points are so large that rounding alone moves the surface", self.degree())]
     LeastArea,
     /// Least areas of several patches.
     #[error("surfaces of several patches are offered to degree {}", self.degree())]

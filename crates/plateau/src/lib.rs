@@ -20,7 +20,7 @@
 //! - [`least_area`] and [`least_area_triangle`] take a patch, of which the border counts, to the one of least area.
 //! - [`solve()`] runs a [`Method`] over a [`Boundary`]: extremals of quadratic energies and of the area, masks, explicit and
 //!   harmonic nets, their shape parameters given or searched ([`Search`]). What comes out is [`Done`]: the [`Surface`], the way
-//!   to it, its [`Figures`], and each [`Warning`] that a reader needs.
+//!   to it, its [`Figures`], and each [`Warning`] that a reader needs; of slender boundaries what cutting gains ([`CutGain`]).
 //! - [`ReducedEnergy`] joins energies, systems and searches: a swarm of `optim` over it tunes a GT patch in fifteen lines.
 //! - [`helicoids`] and [`trapezium`] make the helicoids of AHT and AT, [`of_net`] the surface of a net of one's own, [`sample`] samples
 //!   a curve.
@@ -89,6 +89,7 @@ mod progress;
 mod quantity;
 mod seams;
 mod search;
+mod slender;
 mod solve;
 mod solved;
 mod surface;
@@ -144,6 +145,7 @@ pub use seams::{Kink, Seams};
 pub use search::{
     MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchFault, SearchMode, SearchOutcome, SearchRun, Variant,
 };
+pub use slender::CutGain;
 pub use solve::solve;
 pub use solved::{SolveFigures, Solved};
 pub use surface::Surface;

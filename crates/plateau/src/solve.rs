@@ -6,10 +6,12 @@ use crate::excess::estimated;
 use crate::interior::{boundary_net, construct, extremal, triangle};
 use crate::method::patch_of;
 use crate::search::search;
+use crate::slender::gain_of_cutting;
 use crate::{
     AreaExtremal, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Fill, FillEnergy,
-    Filling, FixedShape, Functions, Loop, Method, MethodError, SolveFigures, Solved, Surface, TensorBoundary,
-    TensorInterior, Warning, least_area_from, least_area_raised, lower_bound_of_net, memory, trust,
+    Filling, FixedShape, Functions, Loop, Method, MethodError, Progress, SolveFigures, Solved, Surface,
+    TensorBoundary, TensorInterior, Warning, least_area_from, least_area_raised, lower_bound_of_net, memory,
+    trust,
 };
 
 /// A surface that loses more than this share of its size to cancellation is not one.
@@ -57,6 +59,7 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     let mut warnings = trust::warnings(&solved, &figures, &context.search);
     let estimate =
         estimated((&solved.surface, solved.family, solved.area.as_ref()), &mut warnings, context.progress)?;
+    warnings.extend(of_cutting(method, &solved, context.progress)?);
     solved.surface = solved.surface.moved(origin)?;
     mesh.points.iter_mut().for_each(|p| *p += origin);
     let bound = match (&solved.surface, method.filling()) {
@@ -98,6 +101,29 @@ fn around_corners(
     let film = fill.with_degree(m.max(n) + method.raise()).loops(&[around], context.progress);
     context.progress.end();
     Ok(film?.into_done(FillEnergy::Area))
+}
+
+/// What a patch of least area over a slender border would gain by being cut.
+fn of_cutting(
+    method: &Method,
+    solved: &Solved,
+    progress: &dyn Progress,
+) -> Result<Option<Warning>, MethodError> {
+    let (
+        Filling::Tensor {
+            functions: Functions::Bernstein,
+            interior: TensorInterior::LeastArea { tolerance, .. },
+        },
+        Surface::Tensor(patch),
+        Some(found),
+    ) = (method.filling(), &solved.surface, &solved.area)
+    else {
+        return Ok(None);
+    };
+    progress.begin(&format!("least area of {}, cut across", method.name()), None);
+    let slender = gain_of_cutting(patch.net(), found, *tolerance, progress);
+    progress.end();
+    Ok(slender?.map(|slender| Warning::Slender { ratio: slender.ratio, cut: slender.cut }))
 }
 
 /// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.

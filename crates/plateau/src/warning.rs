@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::{AreaEnd, Degeneracy, NoBound, NoEstimate, Notation};
+use crate::{AreaEnd, CutGain, Degeneracy, NoBound, NoEstimate, Notation};
 
 /// What a reader must know before trusting a surface or its figures; shown as one sentence.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -151,6 +151,14 @@ pub enum Warning {
          nearly this area was found without that, and figures that depend on the parametrisation are unsure"
     )]
     FarNet,
+    /// One patch over a boundary that is many times as long as wide.
+    #[error("{}", of_slender(*ratio, cut.as_ref()))]
+    Slender {
+        /// How many times.
+        ratio: f64,
+        /// What several patches gain; none where that was not computed.
+        cut: Option<CutGain>,
+    },
     /// A negative second variation of the area.
     #[error(
         "the surface is not a stable minimum: its second variation is negative along the normal; another surface over the \
@@ -318,6 +326,7 @@ impl Warning {
             Self::AreaNotReached { .. } => Some("raise the degree, or loosen the tolerance"),
             Self::AreaRule { .. } => Some("try another degree or another start"),
             Self::FarNet => Some("cut the boundary into several patches, or lower the degree"),
+            Self::Slender { .. } => Some("give the boundary as a loop, which is cut across by itself"),
             Self::Unstable => Some("raise the degree, or move the start"),
             Self::NoArea { .. } => Some("check the boundary: its curves may coincide"),
             Self::AreaUnsettled { .. } => Some("look at the surface; another degree may unfold it"),
@@ -342,6 +351,21 @@ impl Warning {
             Self::Pinches { .. } => Some("bring the loops nearer together, or span each by itself"),
             Self::OneByOne { .. } => Some("span each loop by itself if the surface need not hang together"),
         }
+    }
+}
+
+/// What a slender boundary means for a single patch.
+fn of_slender(ratio: f64, cut: Option<&CutGain>) -> String {
+    let slender = format!("the boundary is {ratio:.0} times as long as wide");
+    match cut {
+        Some(CutGain { pieces, degree, area, gained }) => format!(
+            "{slender}: cut across into {pieces} patches of degree {degree}, the least area is {}, which is {:.1e} of it less",
+            Notation::Short(10).of(*area),
+            gained / area
+        ),
+        None => format!(
+            "{slender}: cut across into several patches, its least area may be less; by how much was not computed"
+        ),
     }
 }
 

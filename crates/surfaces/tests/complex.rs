@@ -390,3 +390,27 @@ fn a_layer_is_where_it_should_be() {
     }
     assert_eq!(complex.graded(&[], 0.25).unwrap().faces().len(), 4);
 }
+
+/// The strip of an edge is halved as far as it goes, and the surface stays.
+#[test]
+fn a_strip_is_halved_across() {
+    let (complex, height) = graph_with_a_wing(true);
+    // From 1 to 4 three faces meet: the edge of each opposite is cut with it, and what lies beyond.
+    let cut = |ends: [usize; 2]| {
+        let edge = complex.edges().iter().position(|edge| edge.ends() == ends).unwrap();
+        complex.halved_across(&[edge]).unwrap()
+    };
+    let (through, along) = (cut([1, 4]), cut([0, 1]));
+    assert_eq!((through.faces().len(), through.vertices()), (6 + 3, 12 + 4));
+    assert_eq!((along.faces().len(), along.vertices()), (6 + 2, 12 + 3));
+    for face in 0..along.faces().len() {
+        let point = along.patch(face).unwrap().point(0.3, 0.7);
+        let is_wing = (point.x - 0.3 * point.y - 2.0).abs() < 1e-9;
+        assert!(is_wing || (point.z - height(point.x - 0.3 * point.y, point.y)).abs() < 1e-13, "{point:?}");
+    }
+    assert_eq!(complex.halved_across(&[]).unwrap().faces().len(), 6);
+    let count = complex.edges().len();
+    assert!(
+        matches!(complex.halved_across(&[count]), Err(ComplexError::UnknownEdge { edge, .. }) if edge == count)
+    );
+}

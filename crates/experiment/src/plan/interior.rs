@@ -227,7 +227,7 @@ impl Draft<'_> {
             }
             DegreeLimit::Harmonic => "write energy = \"laplacian\" over all four sides",
             DegreeLimit::LeastArea => {
-                "describe the sides with fewer control points (`plateau import --degree 6` fits them), or write energy = \"dirichlet\", which goes on to degree 64"
+                "describe the sides with fewer control points (`plateau import --degree 6` fits them), give them as a loop, which several patches fill, or write energy = \"dirichlet\", which goes on to degree 64"
             }
             DegreeLimit::Patches => "leave out `layers`: a single patch of least area goes on to degree 32",
             DegreeLimit::TriangularLeastArea => {

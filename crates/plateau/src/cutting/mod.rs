@@ -17,6 +17,7 @@ pub use closed_loop::Loop;
 pub use error::CuttingError;
 pub use graph::{CurveGraph, FaceSide, GraphCurve};
 pub use options::{Cutting, Way};
+pub(crate) use slender::{cut_slender, slenderness};
 
 use quads::Quads;
 use surfaces::{Complex, Deviation};

@@ -1,6 +1,6 @@
 //! Slender quads cut across.
 
-use surfaces::Complex;
+use surfaces::{Complex, ComplexError, Face};
 
 use super::CuttingError;
 use super::blueprint::Blueprint;
@@ -35,18 +35,42 @@ pub(super) fn cut_across(blueprint: &mut Blueprint, degree: usize) -> Result<Com
     Ok(complex)
 }
 
+/// The complex with every slender face cut across in halves until none is slender.
+///
+/// # Errors
+/// [`ComplexError::TooLarge`](surfaces::ComplexError::TooLarge).
+pub(crate) fn cut_slender(complex: &Complex) -> Result<Complex, ComplexError> {
+    let most = MOST_TIMES * complex.faces().len() + MOST_MORE;
+    let mut cut = complex.clone();
+    while cut.faces().len() < most {
+        let slender: Vec<usize> = slender(&cut).map(|(_, edge)| edge).collect();
+        if slender.is_empty() {
+            break;
+        }
+        cut = cut.halved_across(&slender)?;
+    }
+    Ok(cut)
+}
+
+/// The largest ratio of length to width of the slender faces; none where no face is slender.
+pub(crate) fn slenderness(complex: &Complex) -> Option<f64> {
+    slender(complex).map(|(ratio, _)| ratio).reduce(f64::max)
+}
+
 /// The vertices of a long side of the face with the largest ratio of length to width, if that is slender.
 fn slenderest(complex: &Complex) -> Option<[usize; 2]> {
+    let larger = |a: (f64, usize), b: (f64, usize)| if b.0 > a.0 { b } else { a };
+    slender(complex).reduce(larger).map(|(_, edge)| complex.edges()[edge].ends())
+}
+
+/// Of every slender face the ratio of length to width, and a long side.
+fn slender(complex: &Complex) -> impl Iterator<Item = (f64, usize)> + '_ {
     let edges = 0..complex.edges().len();
     let lengths: Vec<f64> = edges.map(|edge| length(&complex.edge_curve(edge))).collect();
-    let mut worst = (SLENDER, None);
-    for face in complex.faces() {
+    let of_face = move |face: &Face| {
         let [v0, u1, v1, u0] = face.edges();
         let (along, across) = (lengths[v0] + lengths[v1], lengths[u0] + lengths[u1]);
-        let (ratio, edge) = if along > across { (along / across, v0) } else { (across / along, u1) };
-        if ratio > worst.0 && ratio < DEGENERATE {
-            worst = (ratio, Some(complex.edges()[edge].ends()));
-        }
-    }
-    worst.1
+        if along > across { (along / across, v0) } else { (across / along, u1) }
+    };
+    complex.faces().iter().map(of_face).filter(|(ratio, _)| *ratio > SLENDER && *ratio < DEGENERATE)
 }

@@ -43,6 +43,14 @@ pub enum ComplexError {
         /// Number of vertices.
         count: usize,
     },
+    /// An edge is named that is not one.
+    #[error("edge {edge} is named, but there are {count} edges, numbered from 0")]
+    UnknownEdge {
+        /// The edge named.
+        edge: usize,
+        /// Number of edges.
+        count: usize,
+    },
     /// A face has a vertex twice.
     #[error("face {face} has vertex {vertex} twice; its four corners must differ")]
     RepeatedVertex {

@@ -43,9 +43,24 @@ impl Complex {
         cut.complex()
     }
 
+    /// The complex with `edges` cut in the middle, and the faces at them from there to the middle of the side opposite, as far as the
+    /// strip goes, so that what results conforms. Fixed edges stay on their curves; vertices keep their numbers, and new ones follow. The
+    /// surface is the same but for rounding.
+    ///
+    /// # Errors
+    /// [`ComplexError::UnknownEdge`], [`ComplexError::TooLarge`].
+    pub fn halved_across(&self, edges: &[usize]) -> Result<Self, ComplexError> {
+        let count = self.edges().len();
+        if let Some(&edge) = edges.iter().find(|edge| **edge >= count) {
+            return Err(ComplexError::UnknownEdge { edge, count });
+        }
+        let mut cut = Refinement::of(self);
+        cut.halve(&self.strips(edges.to_vec()));
+        cut.complex()
+    }
+
     /// The edges to be halved so that no face has more than one of the corners, with all that are opposite to one of them in a face.
     fn between(&self, corners: &HashSet<usize>) -> HashSet<usize> {
-        let mut halved = HashSet::new();
         let mut open: Vec<usize> = Vec::new();
         for face in self.faces() {
             let is_corner = face.vertices().map(|vertex| corners.contains(&vertex));
@@ -56,6 +71,12 @@ impl Complex {
                 open.extend(face.edges());
             }
         }
+        self.strips(open)
+    }
+
+    /// These edges with all that are opposite to one of them in a face.
+    fn strips(&self, mut open: Vec<usize>) -> HashSet<usize> {
+        let mut halved = HashSet::new();
         while let Some(edge) = open.pop() {
             if halved.insert(edge) {
                 for here in self.edges()[edge].uses() {
