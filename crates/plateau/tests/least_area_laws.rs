@@ -16,6 +16,9 @@ const DEFAULT: f64 = 1e-10;
 /// Least over mean area density below which figures of the parametrisation are said to be unsure.
 const UNEVEN: f64 = 0.01;
 
+/// A frame over which the descent from the Coons patch ends above the Dirichlet extremal in its own metric.
+const IN_ANOTHER_VALLEY: u64 = 872;
+
 /// The seeds of the frames: so many as a number in `LAWS` says, or those from one to before another: `LAWS=100..200`.
 fn seeds(modest: u64) -> Range<u64> {
     let asked = std::env::var("LAWS").ok().and_then(|text| match text.split_once("..") {
@@ -63,10 +66,25 @@ fn others(net: &Net) -> Vec<(&'static str, f64)> {
     rows
 }
 
+/// Whether the border turns back at a corner, seen along the mean normal of the Coons patch: a patch without a fold over it is singular.
+fn is_re_entrant(net: &Net) -> bool {
+    let [u0, u1, v0, v1] = net.boundary();
+    let coons = TensorPatch::bernstein(discrete_coons(&u0, &u1, &v0, &v1).unwrap()).unwrap();
+    let normal = |u: f64, v: f64| {
+        let jet = coons.jet(u, v);
+        jet.u.cross(jet.v)
+    };
+    let middles = || (0..10).map(|k| (f64::from(k) + 0.5) / 10.0);
+    let mean = middles()
+        .flat_map(|u| middles().map(move |v| (u, v)))
+        .fold(Point::ZERO, |sum, (u, v)| sum + normal(u, v));
+    [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].iter().any(|&(u, v)| normal(u, v).dot(mean) <= 0.0)
+}
+
 #[test]
 fn no_surface_at_hand_has_less_area() {
     let (mut above, mut tried) = (Vec::new(), 0);
-    for seed in seeds(25) {
+    for seed in seeds(25).chain([IN_ANOTHER_VALLEY]) {
         let (kind, net) = frame(seed);
         let (_, found) = least(&net);
         tried += 1;
@@ -79,7 +97,7 @@ fn no_surface_at_hand_has_less_area() {
                 ));
             }
         }
-        let unsettled = !found.area.settled && !matches!(kind, Kind::Steep);
+        let unsettled = !found.area.settled && !matches!(kind, Kind::Steep) && !is_re_entrant(&net);
         if unsettled {
             above.push(format!("{seed} {kind:?} {:?}: unsettled; {found:?}", net.degrees()));
         }

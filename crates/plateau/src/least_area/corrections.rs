@@ -17,9 +17,9 @@ impl<S: Space> Descent<'_, '_, S> {
         while reached.corrections.steps < CORRECTIONS {
             self.watch(reached)?;
             let here = &reached.surface;
-            let cell = self.rules.cell(here.points)?;
+            let cell = self.rules.fine_cell(here.points)?;
             let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
-            let Some(gradient) = defined(assembly.gradient(&here.tangents))? else { break };
+            let Some(gradient) = defined(assembly.gradient(&here.fine.tangents))? else { break };
             let (rough, tangents) = self.rough(here)?;
             let rough = Assembly { topology: assembly.topology, cell: rough.as_ref() };
             let Some(metrics) = defined(rough.metrics(&tangents))? else { break };

@@ -92,7 +92,6 @@ impl Reached {
 /// A step.
 pub(super) struct Step {
     pub(super) x: Vec<Point>,
-    pub(super) tangents: Tangents,
     pub(super) fine: Fine,
     /// The decrease of the area predicted, and what of it came true.
     pub(super) predicted: f64,
@@ -143,6 +142,16 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         Ok(reached)
     }
 
+    /// Where the metric corrections lead from `start`.
+    pub(super) fn after_corrections(&mut self, start: Known) -> Result<Known, MethodError> {
+        let mut reached = Reached::new(start);
+        if self.scalar.count() > 0 {
+            self.rough = self.rules.first();
+            self.corrections(&mut reached)?;
+        }
+        Ok(reached.surface)
+    }
+
     /// From `x`, which is near, in at most `most` steps in all coordinates and steps along the normals.
     pub(super) fn refined(&mut self, x: Vec<Point>, most: usize) -> Result<Reached, MethodError> {
         let mut reached = Reached::new(self.rules.settled(x.clone())?);
@@ -169,17 +178,17 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
     /// The cell and the tangents by the first rule that gives the area of a surface nearly: where steps lead, gradients and areas say,
     /// and Hessians only how.
     pub(super) fn rough(&mut self, here: &Known) -> Result<(Rc<dyn Cell>, Tangents), MethodError> {
-        while self.rough < here.points {
-            let cell = self.rules.cell(self.rough)?;
+        loop {
+            let points = self.rough.min(here.points);
+            let cell = self.rules.cell(points)?;
             let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
             let tangents = assembly.tangents(&here.x);
             let error = (assembly.area_of(&tangents) - here.area()).abs();
-            if error <= (ROUGH * self.tolerance).max(LEAST_ROUGH) * here.area() {
+            if points == here.points || error <= (ROUGH * self.tolerance).max(LEAST_ROUGH) * here.area() {
                 return Ok((cell, tangents));
             }
             self.rough = Rules::<S>::next(self.rough);
         }
-        Ok((self.rules.cell(here.points)?, here.tangents.clone()))
     }
 
     /// Whether the rule of a surface integrates it.

@@ -142,6 +142,9 @@ const COUNTED: f64 = 4.0;
 const FEW: usize = 400;
 const FEW_AT_CORNERS: usize = 1700;
 
+/// What an estimate may cost where all steps to the surface, those at lower degrees among them, are counted: about a second.
+const SHORT: f64 = 1e10;
+
 /// Whether an estimate costs less than the surface did, of so many faces, `at_corners` of them at corners where layers are tried: a step
 /// is counted with the sixth power of the degree, as its factorisations are.
 pub(crate) fn costs_less(degree: usize, faces: usize, at_corners: usize, found: &AreaExtremal) -> bool {
@@ -151,7 +154,9 @@ pub(crate) fn costs_less(degree: usize, faces: usize, at_corners: usize, found: 
     let few = if at_corners == 0 { FEW } else { FEW_AT_CORNERS };
     let is_small = two * (degree + 3).pow(2) <= few;
     let steps = one as f64 * step(degree + 1) + two as f64 * step(degree + 2);
-    is_small || COUNTED * steps <= (found.iterations * faces) as f64 * step(degree)
+    let spent = |iterations: usize| (iterations * faces) as f64 * step(degree);
+    let most = spent(found.last_iterations).max(spent(found.iterations).min(SHORT));
+    is_small || COUNTED * steps <= most
 }
 
 /// Degrees that a surface is raised by to see what it lacks.
@@ -195,7 +200,8 @@ fn excess<S: Space>(space: &S, surface: &S::Surface) -> Result<Option<f64>, Meth
     let here = descent.rules.settled(space.nodes(surface)?)?;
     let (cell, topology) = (descent.rules.cell(here.points)?, space.topology());
     let assembly = Assembly { topology, cell: cell.as_ref() };
-    let slopes = match assembly.gradient(&here.tangents) {
+    let tangents = assembly.tangents(&here.x);
+    let slopes = match assembly.gradient(&tangents) {
         Err(EnergyError::Singular { .. }) => return Ok(None),
         slopes => slopes?,
     };
@@ -204,7 +210,7 @@ fn excess<S: Space>(space: &S, surface: &S::Surface) -> Result<Option<f64>, Meth
         return Ok(None);
     }
     let (gradient, mut hessians) = (unknowns.gather(&slopes), Vec::new());
-    unknowns.hessians(&assembly, &here.tangents, &mut hessians)?;
+    unknowns.hessians(&assembly, &tangents, &mut hessians)?;
     // No shift: where H is indefinite there is no minimum near, and half of gᵀH⁻¹g means nothing.
     let mut step = gradient.clone();
     match unknowns.condensation().factor(&hessians.iter().map(Matrix::as_slice).collect::<Vec<_>>()) {

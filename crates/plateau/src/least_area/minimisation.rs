@@ -115,9 +115,15 @@ fn lowest<S: Space>(
     }
     for other in at_hand.into_iter().filter(|other| other.x != first) {
         let area = other.area();
-        if all || area < best.surface.area() * (1.0 - LOWER) {
+        let is_lower = area < best.surface.area() * (1.0 - LOWER);
+        // Where corrections lead costs little to know, and may lie in another valley.
+        let leads_lower = |descent: &mut Descent<'_, '_, S>| -> Result<bool, MethodError> {
+            Ok(descent.after_corrections(other.clone())?.area() < best.surface.area() * (1.0 - LOWER))
+        };
+        if all || is_lower || leads_lower(descent)? {
             let other = descent.run(other, reference, false)?;
-            let enough = if all { tolerance.max(LOWER) } else { 0.0 };
+            // Of two ends of one valley rounding would choose.
+            let enough = if is_lower && !all { 0.0 } else { tolerance.max(LOWER) };
             if other.surface.area() < best.surface.area() * (1.0 - enough) {
                 (best, least, is_at_hand) = (other, area, true);
             }
@@ -195,6 +201,7 @@ fn extremal<S: Space>(
         gradient,
         whole_gradient,
         iterations: descent.iterations,
+        last_iterations: descent.iterations,
         evaluations: descent.evaluations,
         end: reached.end,
         valley: reached.valley,

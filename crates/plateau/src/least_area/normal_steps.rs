@@ -58,7 +58,7 @@ impl<S: Space> Descent<'_, '_, S> {
                 reached.end = AreaEnd::Rough;
                 return Ok(());
             };
-            let next = self.rules.known(reached.surface.points, step.x, step.tangents, step.fine)?;
+            let next = self.rules.known(reached.surface.points, step.x, step.fine)?;
             // The rule may prove too coarse for where the step led; the finer one then decides whether it was a gain.
             let next = self.rules.settle(next)?;
             self.move_rule(reached, next.points)?;
@@ -88,9 +88,9 @@ impl<S: Space> Descent<'_, '_, S> {
         shift: &mut f64,
     ) -> Result<Option<Step>, MethodError> {
         let topology = self.rules.space.topology();
-        let cell = self.rules.cell(here.points)?;
+        let cell = self.rules.fine_cell(here.points)?;
         let assembly = Assembly { topology, cell: cell.as_ref() };
-        let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { return Ok(None) };
+        let Some(slopes) = defined(assembly.gradient(&here.fine.tangents))? else { return Ok(None) };
         let (rough, tangents) = self.rough(here)?;
         let rough = Assembly { topology, cell: rough.as_ref() };
         if defined(unknowns.hessians(&rough, &tangents, &mut self.hessians))?.is_none() {
@@ -117,13 +117,13 @@ impl<S: Space> Descent<'_, '_, S> {
             // Half of gᵀH⁻¹g: what a parabola would gain.
             let predicted = 0.5 * d.iter().zip(&gradient).map(|(d, g)| d * g).sum::<f64>();
             let x = less(&here.x, &unknowns.scatter(&d));
-            let (tangents, fine) = (assembly.tangents(&x), self.rules.fine(here.points, &x)?);
+            let fine = self.rules.fine(here.points, &x)?;
             self.evaluations += 1;
             if fine.area <= here.area() * (1.0 + ROUNDING) {
                 // The shift is let go fast: with it convergence is not quadratic.
                 *shift = if *shift > 1e-6 { 0.1 * *shift } else { 0.0 };
                 let quality = (here.area() - fine.area) / predicted;
-                return Ok(Some(Step { x, tangents, fine, predicted, quality }));
+                return Ok(Some(Step { x, fine, predicted, quality }));
             }
             *shift = (5.0 * *shift).max(1e-3);
         }
@@ -150,9 +150,9 @@ impl<S: Space> Descent<'_, '_, S> {
         if self.scalar.count() == 0 {
             return Ok([0.0; 2]);
         }
-        let cell = self.rules.cell(here.points)?;
+        let cell = self.rules.fine_cell(here.points)?;
         let assembly = Assembly { topology: self.rules.space.topology(), cell: cell.as_ref() };
-        let gradient = assembly.gradient(&here.tangents)?;
+        let gradient = assembly.gradient(&here.fine.tangents)?;
         let normal = Unknowns::new(assembly.topology, self.normals(&here.x)?)?;
         // To the normals and back: the tangential part is gone.
         let along = normal.scatter(&normal.gather(&gradient));

@@ -28,6 +28,8 @@ pub struct AreaExtremal {
     pub whole_gradient: f64,
     /// Points at which a Hessian or a metric was formed, over all starts.
     pub iterations: usize,
+    /// Of these, those at the degree of the surface: the others led to the surfaces of lower degrees that it was reached from.
+    pub last_iterations: usize,
     /// Evaluations of the area, over all starts.
     pub evaluations: usize,
     /// Why it ended.

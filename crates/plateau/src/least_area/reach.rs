@@ -49,6 +49,8 @@ struct Reach {
     size: f64,
     /// Sizes from the border within which all control points are to lie.
     sizes: f64,
+    /// Points of the rule by which evenness is judged.
+    rule: usize,
     /// The least evenness inside and at the nodes.
     floor: [f64; 2],
 }
@@ -69,6 +71,7 @@ impl Reach {
             // A box with a diagonal of at least `across` has an edge of at least a √3-th of it.
             size: across / 3f64.sqrt(),
             sizes: 1.0,
+            rule: 0,
             floor: [0.0; 2],
         })
     }
@@ -131,7 +134,10 @@ impl<S: Space> Descent<'_, '_, S> {
         let mut reach = Reach::new(self.rules.space, reference)?;
         // No more is asked of a surface than the reference has: its own control points may lie further away.
         reach.sizes = reach.sizes(topology, reference);
-        reach.floor = self.evenness(reached.surface.points, reference)?.map(|even| EVENNESS * even);
+        let smallest = self.rules.first();
+        // One and the same for all surfaces, whatever they are integrated by.
+        reach.rule = if reached.surface.points == smallest { smallest } else { self.rules.largest() };
+        reach.floor = self.evenness(reach.rule, reference)?.map(|even| EVENNESS * even);
         if self.fits(&reach, &reached.surface)? {
             return Ok(());
         }
@@ -185,12 +191,12 @@ impl<S: Space> Descent<'_, '_, S> {
     }
 
     fn fits(&mut self, reach: &Reach, surface: &Known) -> Result<bool, MethodError> {
-        let even = self.evenness(surface.points, &surface.x)?;
+        let even = self.evenness(reach.rule, &surface.x)?;
         let is_even = even.iter().zip(reach.floor).all(|(even, floor)| *even >= floor);
         Ok(is_even && reach.sizes(self.rules.space.topology(), &surface.x) <= reach.sizes)
     }
 
-    /// The least over the mean area density inside and at the nodes, which lie on the border, too.
+    /// The least over the mean area density inside, by a rule, and at the nodes, which lie on the border, too.
     fn evenness(&mut self, points: usize, x: &[Point]) -> Result<[f64; 2], MethodError> {
         let topology = self.rules.space.topology();
         let inside = self.rules.fine(points, x)?;
@@ -211,9 +217,9 @@ impl<S: Space> Descent<'_, '_, S> {
         for _ in 0..PULLED_STEPS {
             self.watch(reached)?;
             let here = &reached.surface;
-            let cell = self.rules.cell(here.points)?;
+            let cell = self.rules.fine_cell(here.points)?;
             let assembly = Assembly { topology, cell: cell.as_ref() };
-            let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { break };
+            let Some(slopes) = defined(assembly.gradient(&here.fine.tangents))? else { break };
             let Some(model) = self.model(here)? else { break };
             self.iterations += 1;
             let Some((x, promised)) = self.pulled_step(here, &slopes, &model, step)? else { break };

@@ -31,22 +31,23 @@ const LEAST_LARGEST: usize = 64;
 const LARGEST: usize = 160;
 
 /// What a finer rule says of a surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Fine {
+    /// The tangents at its points.
+    pub(super) tangents: Tangents,
     pub(super) area: f64,
-    /// The least over the mean of the area density.
+    /// The least over the mean of the area density there.
     pub(super) evenness: f64,
 }
 
-/// A surface at a rule and a finer one.
+/// A surface at a rule and a finer one. The finer one gives its area and its gradient: by any two rules that are fine enough
+/// these are the same to rounding, so that it plays no part which of them was chosen where a surface lies between.
 #[derive(Debug, Clone)]
 pub(super) struct Known {
     /// Its points at the nodes.
     pub(super) x: Vec<Point>,
-    /// Points of the rule in each direction.
+    /// Points of the coarser rule in each direction.
     pub(super) points: usize,
-    /// Its tangents at them.
-    pub(super) tangents: Tangents,
     /// What the finer rule says.
     pub(super) fine: Fine,
     /// How far the areas by the two are apart.
@@ -95,33 +96,39 @@ impl<'a, S: Space> Rules<'a, S> {
 
     /// What the finer of two rules says.
     pub(super) fn fine(&mut self, points: usize, x: &[Point]) -> Result<Fine, MethodError> {
-        let cell = self.cell(Self::finer(points))?;
+        let cell = self.fine_cell(points)?;
         let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
-        let (area, evenness) = assembly.measure(&assembly.tangents(x));
-        Ok(Fine { area, evenness })
+        let tangents = assembly.tangents(x);
+        let (area, evenness) = assembly.measure(&tangents);
+        Ok(Fine { tangents, area, evenness })
     }
 
-    /// A surface with these tangents by a rule, of which the finer rule has said this.
-    pub(super) fn known(
-        &mut self,
-        points: usize,
-        x: Vec<Point>,
-        tangents: Tangents,
-        fine: Fine,
-    ) -> Result<Known, MethodError> {
+    /// The least over the mean of the area density at the points of the largest rule: a figure that does not depend on how fine the
+    /// rule of a surface was chosen.
+    pub(super) fn evenness(&mut self, x: &[Point]) -> Result<f64, MethodError> {
+        let cell = self.cell(self.largest())?;
+        let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
+        Ok(assembly.measure(&assembly.tangents(x)).1)
+    }
+
+    /// The finer of two rules: that of areas and gradients.
+    pub(super) fn fine_cell(&mut self, points: usize) -> Result<Rc<dyn Cell>, MethodError> {
+        self.cell(Self::finer(points))
+    }
+
+    /// A surface at a rule, of which the finer rule has said this.
+    pub(super) fn known(&mut self, points: usize, x: Vec<Point>, fine: Fine) -> Result<Known, MethodError> {
         let cell = self.cell(points)?;
         let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
-        let error = (assembly.area_of(&tangents) - fine.area).abs();
+        let error = (assembly.area_of(&assembly.tangents(&x)) - fine.area).abs();
         let settled = error <= self.settled * fine.area;
-        Ok(Known { x, points, tangents, fine, error, settled })
+        Ok(Known { x, points, fine, error, settled })
     }
 
     /// A surface at a rule.
     pub(super) fn at(&mut self, points: usize, x: Vec<Point>) -> Result<Known, MethodError> {
         let fine = self.fine(points, &x)?;
-        let cell = self.cell(points)?;
-        let tangents = Assembly { topology: self.space.topology(), cell: cell.as_ref() }.tangents(&x);
-        self.known(points, x, tangents, fine)
+        self.known(points, x, fine)
     }
 
     /// The surface at the smallest rule from its own on by which its area has settled; at the largest if there is none.

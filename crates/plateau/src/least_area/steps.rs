@@ -11,7 +11,7 @@ use super::descent::{
     Descent, LEAST_SHIFT, LOOSE, ROUNDING, Reached, Step, TRIES, TRUSTED_SHIFT, defined, less,
 };
 use super::outcome::ValleyEnd;
-use super::rules::Known;
+use super::rules::{Fine, Known};
 use super::space::Space;
 use crate::MethodError;
 
@@ -37,6 +37,9 @@ const LESS_EVEN: f64 = 4.0;
 /// By what the floor of the steps is above that, so that the steps along the normals that follow do not lead below.
 const MARGIN: f64 = 1.25;
 
+/// Times the floor from which on a surface is even by whatever rule it is looked at.
+const COMFORTABLE: f64 = 3.0;
+
 /// Steps that lead to surfaces that no rule integrates, after which no other is tried.
 const UNRESOLVED: usize = 4;
 
@@ -47,31 +50,46 @@ pub(super) struct Model {
     pub(super) metrics: Vec<Vec<f64>>,
 }
 
-/// Where a step may lead, by the rule of the steps.
+/// Where a step may lead.
 struct Trial {
     x: Vec<Point>,
-    tangents: Tangents,
-    area: f64,
-    evenness: f64,
+    fine: Fine,
 }
 
 /// The floor of evenness, and how far the steps have come.
 struct Bounds<'x> {
     /// The surfaces from whose evenness it counts.
     from: [&'x [Point]; 2],
-    floor: f64,
+    /// The floor by the first rule, and by the largest once it is needed.
+    first_floor: f64,
+    floor: Option<f64>,
     idle: usize,
     last: usize,
     unresolved: usize,
 }
 
 impl<S: Space> Descent<'_, '_, S> {
-    /// The least evenness of steps from the lesser of two surfaces.
-    fn floor(&mut self, points: usize, [first, second]: [&[Point]; 2]) -> Result<f64, MethodError> {
+    /// The share of the lesser evenness of two surfaces below which steps do not lead.
+    fn floor_share(&self) -> f64 {
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
-        let share = MARGIN * EVENNESS * 10f64.powf(-LESS_EVEN * digits);
-        let [first, second] = [self.rules.fine(points, first)?, self.rules.fine(points, second)?];
-        Ok(share * first.evenness.min(second.evenness))
+        MARGIN * EVENNESS * 10f64.powf(-LESS_EVEN * digits)
+    }
+
+    /// Whether a surface is no less even than the floor. Near the floor the largest rule decides, so that it plays no part by which the
+    /// surface was integrated.
+    fn is_even(&mut self, trial: &Trial, bounds: &mut Bounds<'_>) -> Result<bool, MethodError> {
+        if trial.fine.evenness >= COMFORTABLE * bounds.first_floor {
+            return Ok(true);
+        }
+        let floor = match bounds.floor {
+            Some(floor) => floor,
+            None => {
+                let [first, second] = bounds.from;
+                let least = self.rules.evenness(first)?.min(self.rules.evenness(second)?);
+                *bounds.floor.insert(self.floor_share() * least)
+            }
+        };
+        Ok(self.rules.evenness(&trial.x)? >= floor)
     }
 
     /// Levenberg–Marquardt steps `(H + λK) d = −∇A` in all coordinates, K the Dirichlet product over the surface, until two
@@ -85,13 +103,16 @@ impl<S: Space> Descent<'_, '_, S> {
     ) -> Result<(), MethodError> {
         let first = reached.surface.x.clone();
         let from = [reference, first.as_slice()];
-        let floor = self.floor(reached.surface.points, from)?;
-        let mut bounds = Bounds { from, floor, idle: 0, last: 0, unresolved: 0 };
+        let points = self.rules.first();
+        let least =
+            self.rules.fine(points, reference)?.evenness.min(self.rules.fine(points, &first)?.evenness);
+        let first_floor = self.floor_share() * least;
+        let mut bounds = Bounds { from, first_floor, floor: None, idle: 0, last: 0, unresolved: 0 };
         reached.valley = ValleyEnd::Budget;
         self.least_shift = LEAST_SHIFT;
         for _ in 0..most {
             self.watch(reached)?;
-            let end = match self.step(&reached.surface, &mut shift, bounds.floor)? {
+            let end = match self.step(&reached.surface, &mut shift, &mut bounds)? {
                 Ok(step) => self.take(reached, step, &mut shift, &mut bounds)?,
                 Err(end) => Some(end),
             };
@@ -111,14 +132,13 @@ impl<S: Space> Descent<'_, '_, S> {
         shift: &mut f64,
         bounds: &mut Bounds<'_>,
     ) -> Result<Option<ValleyEnd>, MethodError> {
-        let Step { x, tangents, fine, predicted, quality } = step;
+        let Step { x, fine, predicted, quality } = step;
         let (points, before, used) = (reached.surface.points, reached.surface.area(), *shift);
         let rounding = predicted <= ROUNDING * before;
-        let next = self.rules.known(points, x, tangents, fine)?;
+        let next = self.rules.known(points, x, fine)?;
         // A step of rounding moves nothing that a finer rule could see; any other may lead to where one is needed.
         let next = if rounding { next } else { self.rules.settle(next)? };
         if next.points != points {
-            bounds.floor = self.floor(next.points, bounds.from)?;
             // What the coarser rules promised is no gain if the finer ones do not see it.
             self.move_rule(reached, next.points)?;
             if reached.surface.area() <= next.area() {
@@ -156,19 +176,19 @@ impl<S: Space> Descent<'_, '_, S> {
         Ok((bounds.idle >= patience).then_some(ValleyEnd::Tolerance))
     }
 
-    /// One step that lowers the area and leaves the surface no less even than `floor`, or promises no more than rounding; why
+    /// One step that lowers the area and leaves the surface no less even than the floor, or promises no more than rounding; why
     /// there is none.
     fn step(
         &mut self,
         here: &Known,
         shift: &mut f64,
-        floor: f64,
+        bounds: &mut Bounds<'_>,
     ) -> Result<Result<Step, ValleyEnd>, MethodError> {
         let (topology, all) = (self.rules.space.topology(), self.all.clone());
-        let cell = self.rules.cell(here.points)?;
+        let cell = self.rules.fine_cell(here.points)?;
         let assembly = Assembly { topology, cell: cell.as_ref() };
         let mut end = ValleyEnd::Rounding;
-        let Some(slopes) = defined(assembly.gradient(&here.tangents))? else { return Ok(Err(end)) };
+        let Some(slopes) = defined(assembly.gradient(&here.fine.tangents))? else { return Ok(Err(end)) };
         let Some(model) = self.model(here)? else { return Ok(Err(end)) };
         let of_model = Assembly { topology, cell: model.cell.as_ref() };
         let gradient = all.gather(&slopes);
@@ -188,17 +208,16 @@ impl<S: Space> Descent<'_, '_, S> {
                 *shift = LAST_SHIFT;
                 continue;
             }
-            let mut trial = self.trial(&assembly, less(&here.x, &change));
+            let mut trial = self.trial(here.points, less(&here.x, &change))?;
             if !small {
-                trial = self.corrected(&assembly, &factor, here, trial, floor)?;
+                trial = self.corrected(&assembly, &factor, here, trial, bounds)?;
             }
-            let Trial { x, tangents, .. } = trial;
-            let fine = self.rules.fine(here.points, &x)?;
-            let quality = (here.area() - fine.area) / predicted;
+            let quality = (here.area() - trial.fine.area) / predicted;
             // The quotient of two roundings says nothing: a small step must only not climb.
-            let lower = quality > 1e-4 || small && fine.area <= here.area() * (1.0 + ROUNDING);
-            if lower && (small || fine.evenness >= floor) {
-                return Ok(Ok(Step { x, tangents, fine, predicted, quality }));
+            let lower = quality > 1e-4 || small && trial.fine.area <= here.area() * (1.0 + ROUNDING);
+            if lower && (small || self.is_even(&trial, bounds)?) {
+                let Trial { x, fine } = trial;
+                return Ok(Ok(Step { x, fine, predicted, quality }));
             }
             // Only the evenness was against it: that is the reason if no shorter step does better.
             if lower {
@@ -242,37 +261,34 @@ impl<S: Space> Descent<'_, '_, S> {
         }
     }
 
-    /// A surface by the rule of the steps.
-    fn trial(&mut self, assembly: &Assembly<'_>, x: Vec<Point>) -> Trial {
+    /// A surface by the finer rule.
+    fn trial(&mut self, points: usize, x: Vec<Point>) -> Result<Trial, MethodError> {
         self.evaluations += 1;
-        let tangents = assembly.tangents(&x);
-        let (area, evenness) = assembly.measure(&tangents);
-        Trial { x, tangents, area, evenness }
+        let fine = self.rules.fine(points, &x)?;
+        Ok(Trial { x, fine })
     }
 
     /// A step along the curved valley leaves its floor; the same system leads back, and on, as long as the surface stays as
-    /// even as `floor`.
+    /// even as the floor.
     fn corrected(
         &mut self,
         assembly: &Assembly<'_>,
         factor: &Condensed<'_>,
         here: &Known,
         mut trial: Trial,
-        floor: f64,
+        bounds: &mut Bounds<'_>,
     ) -> Result<Trial, MethodError> {
-        // By the rule of the trials: between two rules a difference of areas would be no gain.
-        let before = assembly.area_of(&here.tangents);
         for _ in 0..CORRECTED {
             // A simplified Newton step: the gradient is new, the factorisation is not.
-            let Some(slopes) = defined(assembly.gradient(&trial.tangents))? else { break };
+            let Some(slopes) = defined(assembly.gradient(&trial.fine.tangents))? else { break };
             let mut d = self.all.gather(&slopes);
             factor.solve(1, &mut d)?;
-            let next = self.trial(assembly, less(&trial.x, &self.all.scatter(&d)));
-            let gained = trial.area - next.area;
-            if gained.is_nan() || gained <= ROUNDING * trial.area || next.evenness < floor {
+            let next = self.trial(here.points, less(&trial.x, &self.all.scatter(&d)))?;
+            let gained = trial.fine.area - next.fine.area;
+            if gained.is_nan() || gained <= ROUNDING * trial.fine.area || !self.is_even(&next, bounds)? {
                 break;
             }
-            let so_far = before - trial.area;
+            let so_far = here.area() - trial.fine.area;
             trial = next;
             if gained < CORRECTED_GAIN * so_far {
                 break;
