@@ -65,8 +65,9 @@ pub enum MethodError {
     },
     /// Two loops in the two halves of the cone that all catenoids about an axis touch: no surface of least area hangs together between them.
     #[error(
-        "no annulus of least area, nor any other that hangs together: the two loops lie in the two halves of the cone that catenoids touch, of half-angle 56.466° at \
-         ({}, {}, {}) along ({}, {}, {}), and are too far apart for their size; bring them nearer together, or span each by itself{}",
+        "no annulus of least area, nor any other surface that hangs together: it pinches between the two loops, which lie in the two halves of the cone that \
+         catenoids touch, of half-angle 56.466° at ({}, {}, {}) along ({}, {}, {}), too far apart for their size; bring them nearer together, or \
+         span each by itself{}",
         Notation::Short(6).of(apex[0]), Notation::Short(6).of(apex[1]), Notation::Short(6).of(apex[2]),
         Notation::Short(4).of(axis[0]), Notation::Short(4).of(axis[1]), Notation::Short(4).of(axis[2]),
         discs.map_or_else(String::new, |discs| format!(", with area {} together", Notation::Digits(9).of(discs)))

@@ -75,6 +75,14 @@ impl Cone {
         of(first, self.axis * -1.0).max(of(second, self.axis))
     }
 
+    /// The same without coordinates that are no more than rounding.
+    fn rounded(self, size: f64) -> Self {
+        let round = |p: Point, of: f64| {
+            Point::from([p.x, p.y, p.z].map(|x| if x.abs() <= 1e-12 * of { 0.0 } else { x }))
+        };
+        Self { apex: round(self.apex, size), axis: round(self.axis, 1.0) }
+    }
+
     /// The cones a step away: the apex moved, or the axis turned about it.
     fn neighbours(&self, step: f64, size: f64) -> impl Iterator<Item = Self> + use<'_> {
         let unit = |k: usize| Point::from(std::array::from_fn(|axis| f64::from(u8::from(axis == k))));
@@ -104,7 +112,7 @@ pub(super) fn between(first: &Loop, second: &Loop) -> Option<Cone> {
     let (mut lowest, mut step) = (height(&best, &coarse), FIRST);
     for _ in 0..HALVINGS {
         if lowest < 0.0 && is_proof(&best) {
-            return Some(best);
+            return Some(best.rounded(size));
         }
         for _ in 0..STEPS {
             let next = best.neighbours(step, size).map(|cone| (height(&cone, &coarse), cone));
@@ -116,5 +124,5 @@ pub(super) fn between(first: &Loop, second: &Loop) -> Option<Cone> {
         }
         step *= 0.5;
     }
-    (lowest < 0.0 && is_proof(&best)).then_some(best)
+    (lowest < 0.0 && is_proof(&best)).then(|| best.rounded(size))
 }
