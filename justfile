@@ -19,6 +19,10 @@ kill:
 repeat:
     cargo test --release -p plateau-cli --test reproducibility -- --ignored --nocapture
 
+# Two hundred random loops of one to twelve corners, each cut in three ways: no fold without a word, the same area. Half an hour.
+loops:
+    cargo test --release -p plateau-patches --test any_loop -- --ignored --nocapture
+
 # How often the swarm finds known minima, 100 seeds each; `just success-rates-peer` asks pyswarms the same.
 success-rates:
     cargo run --release -p plateau-optim --example success_rates

@@ -31,7 +31,7 @@ pub(crate) use file::{text_from, text_of};
 use plateau::{Construction, Curve, Helicoid, OwnNet};
 use surfaces::TrapeziumHelicoid;
 
-use exchange::Format;
+use exchange::{Format, StepForm};
 pub use expected::{Expected, Published, Wanted};
 pub use film::{FilmExperiment, FilmMethod, Rim};
 pub use patch::PatchExperiment;
@@ -83,6 +83,6 @@ pub struct Output {
     pub formats: Vec<Format>,
     /// Whether pictures and the report are written.
     pub pictures: bool,
-    /// Largest distance between a fitted surface in a STEP file and the patch, as a share of its size, in (0, 1].
-    pub step_tolerance: f64,
+    /// How STEP files hold the surface; the tolerance is in (0, 1].
+    pub step: StepForm,
 }

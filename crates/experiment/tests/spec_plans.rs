@@ -1,6 +1,6 @@
 //! Sound experiment files become the plans they describe.
 
-use exchange::{DEFAULT_TOLERANCE, Format};
+use exchange::{Format, LengthUnit, StepForm};
 use experiment::{Experiment, FilmExperiment, Options, Output, PatchExperiment, Plan, Rim, Template, run};
 use plateau::{
     Boundary, Construction, CurveBasis, DeformationPath, Direction, Done, Energy, Family, FillEnergy,
@@ -81,10 +81,7 @@ fn the_tensor_example() {
     assert_eq!((plan.title.as_str(), plan.seed), ("Bicubic boundary net I", 7));
     assert_eq!((plan.stem.as_str(), plan.file.as_str()), ("net.one", "some/folder/net.one.toml"));
     assert_eq!(plan.text, text);
-    assert_eq!(
-        plan.output,
-        Output { mesh: 48, formats: vec![], pictures: true, step_tolerance: DEFAULT_TOLERANCE }
-    );
+    assert_eq!(plan.output, Output { mesh: 48, formats: vec![], pictures: true, step: StepForm::default() });
     let patches = patches(&plan);
     let Boundary::Tensor(boundary) = &patches.boundary else { panic!("{:?}", patches.boundary) };
     let [u0, u1, v0, v1] = boundary.sides();
@@ -405,7 +402,7 @@ fn published_numbers_one_or_several() {
 #[test]
 fn output_formats_in_the_order_of_the_file() {
     let text = format!(
-        "{NET}[[method]]\nname = \"a\"\nenergy = \"area\"\n[output]\nmesh = 2000\npictures = false\nstep-tolerance = 1e-3\nformats = [\"step\", \"obj\", \"step\"]\n"
+        "{NET}[[method]]\nname = \"a\"\nenergy = \"area\"\n[output]\nmesh = 2000\npictures = false\nstep-tolerance = 1e-3\nstep-unit = \"inch\"\nformats = [\"step\", \"obj\", \"step\"]\n"
     );
     assert_eq!(
         plan(&text).output,
@@ -413,7 +410,7 @@ fn output_formats_in_the_order_of_the_file() {
             mesh: 2000,
             formats: vec![Format::Step, Format::Obj],
             pictures: false,
-            step_tolerance: 1e-3
+            step: StepForm { tolerance: 1e-3, unit: LengthUnit::Inch }
         }
     );
 }

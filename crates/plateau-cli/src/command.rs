@@ -7,7 +7,9 @@ use clap_complete::Shell;
 use plateau::DegreeLimit;
 use sweep::Asked;
 
-use crate::values::{Arithmetic, EnergyName, FamilyName, FileFormat, Kind, accuracy, pair, seconds, share};
+use crate::values::{
+    Arithmetic, EnergyName, FamilyName, FileFormat, Kind, UnitName, accuracy, pair, seconds, share,
+};
 
 /// Patches of least energy and least area over a given boundary.
 ///
@@ -226,7 +228,7 @@ pub(crate) struct FillArguments {
     /// Files of curves: OBJ lines or curves, a table of points (CSV), STEP, ASCII DXF; - for stdin
     #[arg(required = true, value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
-    /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu; toml for the experiment, json for its result. May be given several times
+    /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu; toml for the experiment, json for its result, html for its page. May be given several times
     #[arg(long, short, value_name = "OUT")]
     pub(crate) out: Vec<PathBuf>,
     /// Degree of the patches, at most 24; by default 6, or that of the curves where it is higher
@@ -250,6 +252,9 @@ pub(crate) struct FillArguments {
     /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) weld: Option<f64>,
+    /// What the numbers are, for STEP files, which say so; they are written unchanged
+    #[arg(long, value_name = "UNIT", default_value = "mm")]
+    pub(crate) unit: UnitName,
     /// Subdivisions of each side of a patch in meshes
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(1..=100))]
     pub(crate) mesh: u16,
@@ -293,6 +298,9 @@ pub(crate) struct ExportArguments {
     /// STEP: largest distance between a fitted surface and the patch, as a share of the size
     #[arg(long, value_name = "T", default_value_t = exchange::DEFAULT_TOLERANCE, value_parser = share)]
     pub(crate) tolerance: f64,
+    /// STEP: what the numbers are; they are written unchanged
+    #[arg(long, value_name = "UNIT", default_value = "mm")]
+    pub(crate) unit: UnitName,
     /// The file to write, for a single method; by default files beside the result, named after their methods
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

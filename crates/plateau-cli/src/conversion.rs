@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use exchange::AssemblyOptions;
+use exchange::{AssemblyOptions, StepForm};
 use experiment::{ImportError, ImportOptions, MAX_IMPORT_SIZE};
 use record::{Destination, ExportError, StoredMethod, StoredResult};
 
@@ -28,6 +28,7 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
         )));
     }
     let format = arguments.format.0;
+    let step = StepForm { tolerance: arguments.tolerance, unit: arguments.unit.0 };
     let folder = result.parent().unwrap_or(Path::new(""));
     let mut sound = true;
     for method in chosen {
@@ -36,7 +37,7 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
             None => Destination::own(folder.join(format!("{}.{}", method.file_name, format.name()))),
         };
         let path = to.path().display();
-        let written = method.export(format, arguments.mesh.into(), arguments.tolerance, &to);
+        let written = method.export(format, arguments.mesh.into(), step, &to);
         match written
             .map(|form| form.map_or(format!("{path}"), |form| format!("{path}: {}", form.description)))
         {

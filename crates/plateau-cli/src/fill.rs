@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, Shape, Side, read_curves};
+use exchange::{Assembly, AssemblyOptions, CurveFile, Format, Frame, LengthUnit, Shape, Side, read_curves};
 use experiment::{ImportError, ImportOptions, Options, Plan};
 use plateau::{Fill, Film, MethodError, Progress};
 use record::{Destination, ExportError, ResultFile};
@@ -22,6 +22,8 @@ enum Wanted {
     Experiment,
     /// What `run` makes of the experiment.
     Result,
+    /// The page of that.
+    Page,
 }
 
 /// Fills, prints the figures, writes the files; one that is refused keeps none of the others back.
@@ -65,17 +67,21 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     let mut sound = true;
     for (wanted, to) in &outputs {
         let written = match wanted {
-            Wanted::Surface(format) => {
-                record::export_complex(*format, &title, (&film.complex, &film.mesh.mesh), to)
-                    .map(|form| form.map(|form| form.description + unit(*format)))
-            }
+            Wanted::Surface(format) => record::export_complex(
+                *format,
+                &title,
+                (&film.complex, &film.mesh.mesh),
+                arguments.unit.0,
+                to,
+            )
+            .map(|form| form.map(|form| form.description + &unit(*format, arguments.unit.0))),
             Wanted::Experiment => {
                 let text = experiment().map_err(|error| refuse(&error))?;
                 record::write_text(&text, to).map(|()| None).map_err(ExportError::from)
             }
-            Wanted::Result => {
+            Wanted::Result | Wanted::Page => {
                 let text = experiment().map_err(|error| refuse(&error))?;
-                let text = result(&title, &text).map_err(|error| refuse(&*error))?;
+                let text = result(&title, &text, wanted).map_err(|error| refuse(&*error))?;
                 record::write_text(&text, to).map(|()| None).map_err(ExportError::from)
             }
         };
@@ -85,8 +91,16 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
 }
 
 /// What a program that reads the file takes its numbers for, where that is not left open.
-fn unit(format: Format) -> &'static str {
-    if format == Format::Step { "; CAD programs take its numbers for millimetres" } else { "" }
+fn unit(format: Format, unit: LengthUnit) -> String {
+    match unit {
+        _ if format != Format::Step => String::new(),
+        LengthUnit::Millimetre => {
+            "; CAD programs take its numbers for millimetres, --unit says what they are".into()
+        }
+        LengthUnit::Centimetre | LengthUnit::Metre | LengthUnit::Inch | LengthUnit::Foot => {
+            format!("; its numbers are {}", unit.plural())
+        }
+    }
 }
 
 /// Says what was written, or why nothing was; whether it was.
@@ -102,11 +116,16 @@ fn told(written: Result<Option<String>, ExportError>, to: &Destination) -> bool 
     true
 }
 
-/// The record of an experiment that is run.
-fn result(title: &str, text: &str) -> Result<String, Box<dyn std::error::Error>> {
+/// The record of an experiment that is run, or its page.
+fn result(title: &str, text: &str, wanted: &Wanted) -> Result<String, Box<dyn std::error::Error>> {
     let plan = Plan::parse(&format!("{title}.toml"), text)?;
     let finished = experiment::run(&plan, Options::default(), &())?;
-    Ok(ResultFile::new(&plan, &finished).to_json()?)
+    match wanted {
+        Wanted::Page => Ok(record::report(&plan, &finished)),
+        Wanted::Surface(_) | Wanted::Experiment | Wanted::Result => {
+            Ok(ResultFile::new(&plan, &finished).to_json()?)
+        }
+    }
 }
 
 /// A file to write: what its extension asks for, and its place, which is none of the files that are read.
@@ -121,12 +140,13 @@ fn output(path: &Path, inputs: &[PathBuf]) -> Result<(Wanted, Destination), Fail
         Some(format) => Wanted::Surface(format),
         None if extension == "toml" => Wanted::Experiment,
         None if extension == "json" => Wanted::Result,
+        None if extension == "html" => Wanted::Page,
         None => {
             let known: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
             let known = known.join(", ");
             return Err(refuse(format!(
-                "files are written by their extension: {known}, stp for a surface, toml for the experiment, json for its result; \
-                 pictures and a page are made by `plateau run` of the experiment"
+                "files are written by their extension: {known}, stp for a surface, toml for the experiment, json for its result, \
+                 html for its page; pictures are made by `plateau run` of the experiment"
             )));
         }
     };

@@ -96,6 +96,30 @@ impl ValueEnum for FileFormat {
     }
 }
 
+/// A unit of length by its name.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UnitName(pub(crate) exchange::LengthUnit);
+
+impl ValueEnum for UnitName {
+    fn value_variants<'a>() -> &'a [Self] {
+        static UNITS: [UnitName; exchange::LengthUnit::NAMED.len()] = {
+            let mut units = [UnitName(exchange::LengthUnit::Millimetre); exchange::LengthUnit::NAMED.len()];
+            let mut k = 0;
+            while k < units.len() {
+                units[k] = UnitName(exchange::LengthUnit::NAMED[k].1);
+                k += 1;
+            }
+            units
+        };
+        &UNITS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, _) = exchange::LengthUnit::NAMED.into_iter().find(|(_, unit)| *unit == self.0)?;
+        Some(PossibleValue::new(name))
+    }
+}
+
 /// Which instructions the search may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Arithmetic {

@@ -61,6 +61,35 @@ fn a_hexagon_comes_out_in_every_format() {
 }
 
 #[test]
+fn rings_of_a_table_close_and_step_says_its_unit() {
+    let folder = tempfile::tempdir().unwrap();
+    let ring = |name: &str, z: f64| {
+        let point = |k: i32| {
+            let (s, c) = (f64::from(k) * std::f64::consts::TAU / 48.0).sin_cos();
+            format!("{name},{c},{s},{z}\n")
+        };
+        (0..48).map(point).collect::<String>()
+    };
+    let rows = ring("low", 0.0) + &ring("high", 0.4);
+    fs::write(folder.path().join("rings.csv"), format!("ring,x,y,z\n{rows}")).unwrap();
+    let out = fill(folder.path(), &["rings.csv", "--unit", "inch", "-o", "x.step", "-o", "x.html"]);
+    // Below that of the cylinder.
+    assert!((2.0..0.8 * std::f64::consts::PI).contains(&area(&out)), "{}", text(&out.stdout));
+    assert!(text(&out.stderr).contains("its numbers are inches"), "{}", text(&out.stderr));
+    let step = fs::read_to_string(folder.path().join("x.step")).unwrap();
+    assert!(step.contains("CONVERSION_BASED_UNIT('INCH'") && step.contains("LENGTH_MEASURE(2.54E1)"));
+    assert!(fs::read_to_string(folder.path().join("x.html")).unwrap().contains("</html>"));
+    // Sides are no rings: their ends are looked at.
+    fs::write(folder.path().join("sides.csv"), format!("side,x,y,z\n{rows}")).unwrap();
+    let out = fill(folder.path(), &["sides.csv"]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("call the column of sides `ring`"), "{}", text(&out.stderr));
+    let out = fill(folder.path(), &["rings.csv", "--degree", "25"]);
+    assert_eq!(out.status.code(), Some(2));
+    assert!(text(&out.stderr).contains("1..=24"), "{}", text(&out.stderr));
+}
+
+#[test]
 fn two_rings_are_joined_and_compared_with_two_discs() {
     let folder = tempfile::tempdir().unwrap();
     let ring = |z: f64| {

@@ -151,7 +151,7 @@ impl Delivery<'_> {
         let (surface, family) = (&done.solved.surface, done.solved.family);
         let named = Named { name, surface, family, mesh: &done.mesh };
         let destination = Destination::own(self.folder.join(&file));
-        match export::write(format, named, self.plan.output.step_tolerance, &destination) {
+        match export::write(format, named, self.plan.output.step, &destination) {
             Ok(form) => {
                 if let Some(form) = &form {
                     self.notes.push(format!("{file}: {}", form.description));

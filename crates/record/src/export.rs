@@ -3,7 +3,7 @@
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use exchange::{Colours, Format, Subject, SurfaceFile, SurfaceForm, Unfit};
+use exchange::{Colours, Format, LengthUnit, StepForm, Subject, SurfaceFile, SurfaceForm, Unfit};
 use plateau::{Family, Surface};
 use show::by_mean_curvature;
 use surfaces::{Complex, Mesh};
@@ -46,27 +46,26 @@ pub(crate) struct Named<'a> {
     pub(crate) mesh: &'a Mesh,
 }
 
-/// Writes one file. `tolerance` is a share of the size and bounds the distance of a fitted surface from
-/// the patch. For formats that hold the surface by a formula, what they hold.
+/// Writes one file. For formats that hold the surface by a formula, what they hold.
 ///
 /// # Errors
 /// [`ExportError::Refused`] if the format cannot hold the surface, within the tolerance; else what the file system says.
 pub(crate) fn write(
     format: Format,
     named: Named<'_>,
-    tolerance: f64,
+    step: StepForm,
     to: &Destination,
 ) -> Result<Option<SurfaceForm>, ExportError> {
-    encode(format, named, tolerance, to.path(), &|fill| to.write(fill))
+    encode(format, named, step, to.path(), &|fill| to.write(fill))
 }
 
 /// As [`write`], but nothing is written: what the file would hold.
 pub(crate) fn rehearse(
     format: Format,
     named: Named<'_>,
-    tolerance: f64,
+    step: StepForm,
 ) -> Result<Option<SurfaceForm>, ExportError> {
-    encode(format, named, tolerance, Path::new(""), &|fill| fill(&mut io::sink()))
+    encode(format, named, step, Path::new(""), &|fill| fill(&mut io::sink()))
 }
 
 /// Writes a complex, of which `mesh` is a mesh, in one format. For formats that hold the surface by a formula, what they hold.
@@ -77,10 +76,11 @@ pub fn export_complex(
     format: Format,
     name: &str,
     (complex, mesh): (&Complex, &Mesh),
+    unit: LengthUnit,
     to: &Destination,
 ) -> Result<Option<SurfaceForm>, ExportError> {
     let coloured = by_mean_curvature(mesh);
-    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()) };
+    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()), unit };
     let file = SurfaceFile::of_complex(format, subject, complex);
     placed(file, to.path(), &|fill| to.write(fill))
 }
@@ -99,13 +99,13 @@ type Fill<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
 fn encode(
     format: Format,
     Named { name, surface, family, mesh }: Named<'_>,
-    tolerance: f64,
+    step: StepForm,
     path: &Path,
     place: &dyn Fn(Fill<'_>) -> io::Result<()>,
 ) -> Result<Option<SurfaceForm>, ExportError> {
     let coloured = by_mean_curvature(mesh);
-    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()) };
-    placed(SurfaceFile::new(format, subject, (surface, family), tolerance), path, place)
+    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()), unit: step.unit };
+    placed(SurfaceFile::new(format, subject, (surface, family), step.tolerance), path, place)
 }
 
 fn colours(coloured: Option<&(Vec<[u8; 3]>, f64)>) -> Option<Colours<'_>> {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use exchange::{Format, SurfaceForm};
+use exchange::{Format, StepForm, SurfaceForm};
 use plateau::{Family, MethodResult, Surface};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -127,7 +127,7 @@ impl StoredMethod {
         &self,
         format: Format,
         subdivisions: usize,
-        tolerance: f64,
+        step: impl Into<StepForm>,
         to: &Destination,
     ) -> Result<Option<SurfaceForm>, ExportError> {
         let (surface, family) = self.surface.as_ref().map_err(|error| ExportError::Refused {
@@ -145,7 +145,7 @@ impl StoredMethod {
         export::write(
             format,
             Named { name: &self.name, surface, family: *family, mesh: &mesh },
-            tolerance,
+            step.into(),
             to,
         )
     }

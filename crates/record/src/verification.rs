@@ -129,7 +129,7 @@ fn record(plan: &Plan, finished: &Finished, unwritten: Option<&Value>) -> Result
             if unwritten.iter().any(|name| name.as_str() == Some(&file)) {
                 continue;
             }
-            match rehearse(format, named, plan.output.step_tolerance) {
+            match rehearse(format, named, plan.output.step) {
                 Ok(form) => record.add_file(Some(k), file, form),
                 Err(ExportError::Refused { .. } | ExportError::Failed(_)) => record.add_unwritten(&file),
             }

@@ -10,12 +10,14 @@ mod shell;
 mod single;
 mod spline;
 mod step;
+mod step_form;
 mod subject;
 
 pub use csv::write_curves;
 pub use deformation::write_deformation;
 pub use extent::diagonal;
 pub use file::{SurfaceFile, Unfit};
-pub use format::{DEFAULT_TOLERANCE, Format};
+pub use format::Format;
 pub use spline::{Accuracy, SplineError, spline};
+pub use step_form::{DEFAULT_TOLERANCE, LengthUnit, StepForm};
 pub use subject::{Colours, Subject, SurfaceForm};

@@ -11,6 +11,7 @@ use surfaces::{Complex, Knots, Orientation, Point};
 
 use super::spline::LARGEST_DEGREE;
 use super::step::{self, Entities, SMALLEST_TOLERANCE, StepError, references};
+use super::step_form::LengthUnit;
 
 /// A complex as it goes into the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,8 +57,8 @@ impl<'a> ShellFile<'a> {
     }
 
     /// Writes the whole file.
-    pub(crate) fn write(&self, name: &str, out: &mut dyn Write) -> io::Result<()> {
-        step::document(name, &self.description(), self.size, out, |title, entities| {
+    pub(crate) fn write(&self, name: &str, unit: LengthUnit, out: &mut dyn Write) -> io::Result<()> {
+        step::document((name, &self.description()), (self.size, unit), out, |title, entities| {
             let edges = self.edges(entities)?;
             let mut shells = Vec::new();
             for faces in &self.shells {

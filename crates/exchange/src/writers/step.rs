@@ -1,6 +1,6 @@
 //! STEP (ISO 10303-21, AP214): a patch as one face on a B-spline surface.
 //!
-//! STEP wants a unit of length; experiments have none. The numbers are written unchanged, as millimetres.
+//! STEP wants a unit of length; experiments have none. The numbers are written unchanged, as what is asked for, else as millimetres.
 
 use std::io::{self, Write};
 
@@ -8,6 +8,7 @@ use surfaces::{Knots, Point, SplineSurface};
 use thiserror::Error;
 
 use super::spline::{Accuracy, LARGEST_DEGREE, SplineError, spline};
+use super::step_form::LengthUnit;
 use plateau::{Family, Surface};
 
 /// Share of the size below which points of the border are one point and curves of it one curve.
@@ -27,7 +28,7 @@ pub(crate) enum StepError {
     Spline(#[from] SplineError),
     /// It is one point to whoever reads it.
     #[error(
-        "{part} is {length:.1e} across, and the millimetres of STEP are told apart from 1e-7 on: scale the boundary"
+        "{part} is {length:.1e} across, and points of STEP are told apart from 1e-7 on: scale the boundary"
     )]
     TooSmall {
         /// What is too small.
@@ -120,8 +121,8 @@ impl StepFile {
     }
 
     /// Writes the whole file.
-    pub(crate) fn write(&self, name: &str, out: &mut dyn Write) -> io::Result<()> {
-        document(name, &self.description(), self.size, out, |title, entities| {
+    pub(crate) fn write(&self, name: &str, unit: LengthUnit, out: &mut dyn Write) -> io::Result<()> {
+        document((name, &self.description()), (self.size, unit), out, |title, entities| {
             let face = self.face(title, entities)?;
             Ok(vec![entities.add(format_args!("OPEN_SHELL('',(#{face}))"))?])
         })
@@ -216,9 +217,8 @@ pub(super) fn checked_size(points: &[Point]) -> Result<f64, StepError> {
 
 /// A whole file around shells: `shells` writes them, given the name as a string of the file, and gives their numbers.
 pub(super) fn document(
-    name: &str,
-    description: &str,
-    size: f64,
+    (name, description): (&str, &str),
+    (size, unit): (f64, LengthUnit),
     out: &mut dyn Write,
     shells: impl FnOnce(&str, &mut Entities<'_>) -> io::Result<Vec<usize>>,
 ) -> io::Result<()> {
@@ -229,7 +229,7 @@ pub(super) fn document(
     writeln!(out, "FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\nENDSEC;\nDATA;")?;
     // Entities are numbered as they are written, so that what is referred to comes first.
     let mut entities = Entities { out, count: 0 };
-    let context = context(size, &mut entities)?;
+    let context = context(size, unit, &mut entities)?;
     let shape = product(&title, &mut entities)?;
     let shells = references(&shells(&title, &mut entities)?);
     let model = entities.add(format_args!("SHELL_BASED_SURFACE_MODEL('',({shells}))"))?;
@@ -242,8 +242,8 @@ pub(super) fn document(
 }
 
 /// Units and the accuracy of the geometry.
-fn context(size: f64, entities: &mut Entities<'_>) -> io::Result<usize> {
-    let length = entities.add(format_args!("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))"))?;
+fn context(size: f64, unit: LengthUnit, entities: &mut Entities<'_>) -> io::Result<usize> {
+    let length = length_unit(unit, entities)?;
     let angle = entities.add(format_args!("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))"))?;
     let solid = entities.add(format_args!("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())"))?;
     // What STEP readers may take for one point: never below what they tell apart.
@@ -255,6 +255,26 @@ fn context(size: f64, entities: &mut Entities<'_>) -> io::Result<usize> {
     entities.add(format_args!(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#{accuracy}))\
          GLOBAL_UNIT_ASSIGNED_CONTEXT((#{length},#{angle},#{solid}))REPRESENTATION_CONTEXT('',''))"
+    ))
+}
+
+/// The unit of length: of the metric system, or so many millimetres.
+fn length_unit(unit: LengthUnit, entities: &mut Entities<'_>) -> io::Result<usize> {
+    let mut metric =
+        |prefix: &str| entities.add(format_args!("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT({prefix},.METRE.))"));
+    let (name, millimetres) = match unit {
+        LengthUnit::Millimetre => return metric(".MILLI."),
+        LengthUnit::Centimetre => return metric(".CENTI."),
+        LengthUnit::Metre => return metric("$"),
+        LengthUnit::Inch => ("INCH", 25.4),
+        LengthUnit::Foot => ("FOOT", 304.8),
+    };
+    let one = metric(".MILLI.")?;
+    let measure = real(millimetres);
+    let measure = entities.add(format_args!("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE({measure}),#{one})"))?;
+    let exponents = entities.add(format_args!("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)"))?;
+    entities.add(format_args!(
+        "(CONVERSION_BASED_UNIT('{name}',#{measure})LENGTH_UNIT()NAMED_UNIT(#{exponents}))"
     ))
 }
 

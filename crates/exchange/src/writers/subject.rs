@@ -4,6 +4,8 @@ use std::io::{self, Write};
 
 use surfaces::Mesh;
 
+use super::step_form::LengthUnit;
+
 /// What a file is written of.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject<'a> {
@@ -13,6 +15,8 @@ pub struct Subject<'a> {
     pub mesh: &'a Mesh,
     /// Colours of its vertices, for the formats that have colours; none for a plain surface.
     pub colours: Option<Colours<'a>>,
+    /// What its numbers are, for the format that says so.
+    pub unit: LengthUnit,
 }
 
 /// Colours of the vertices of a mesh by their mean curvature.

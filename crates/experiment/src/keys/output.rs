@@ -1,7 +1,7 @@
 //! `[output]`.
 
 use crate::text::{Flag, Interval, Key, List, Name, Names, Section, Ways, Whole};
-use exchange::Format;
+use exchange::{Format, LengthUnit};
 
 /// Most subdivisions of a mesh per side.
 pub(crate) const LARGEST_MESH: usize = 2000;
@@ -37,9 +37,15 @@ pub(crate) static STEP_TOLERANCE: Key<Interval> = Key::new(
     "the largest distance between a fitted surface in a STEP file and the patch, as a share of the patch's size",
 )
 .or("1e-6");
+pub(crate) static STEP_UNIT: Key<Name<LengthUnit>> = Key::new(
+    "step-unit",
+    Name(&LengthUnit::NAMED),
+    "what the numbers are, for STEP files, which say so; they are written unchanged",
+)
+.or("\"mm\"");
 
 pub(crate) static SECTION: Section = Section {
     doc: "what is written beside result.json",
-    keys: &[&MESH, &FORMATS, &PICTURES, &STEP_TOLERANCE],
+    keys: &[&MESH, &FORMATS, &PICTURES, &STEP_TOLERANCE, &STEP_UNIT],
     ways: Ways::Free,
 };

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use exchange::StepForm;
 use serde_spanned::Spanned;
 
 use super::boundary::{Sides, boundary, is_mixed};
@@ -18,7 +19,7 @@ use super::search::search;
 use super::{Experiment, FilmExperiment, Output, PatchExperiment, Plan, Rim, Wanted};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::boundary::{LOOPS, POLYGON, SIDES};
-use crate::keys::output::{FORMATS, MESH, PICTURES, STEP_TOLERANCE};
+use crate::keys::output::{FORMATS, MESH, PICTURES, STEP_TOLERANCE, STEP_UNIT};
 use crate::keys::{
     BOUNDARY, CURVE, EXPECT, FACE, HELICOID, METHOD, NET, OUTPUT, SEARCH, SEED, SWEEP, TITLE, TRAPEZIUM,
     VERTEX,
@@ -68,14 +69,19 @@ fn output(table: &Table<'_>) -> Option<Output> {
     let mesh = table.take_or_default(&MESH);
     let named = table.take_or_default(&FORMATS);
     let pictures = table.take_or_default(&PICTURES);
-    let step_tolerance = table.take_or_default(&STEP_TOLERANCE);
+    let (tolerance, unit) = (table.take_or_default(&STEP_TOLERANCE), table.take_or_default(&STEP_UNIT));
     let mut formats = Vec::new();
     for format in named?.into_iter().map(Spanned::into_inner) {
         if !formats.contains(&format) {
             formats.push(format);
         }
     }
-    Some(Output { mesh: mesh?, formats, pictures: pictures?, step_tolerance: step_tolerance? })
+    Some(Output {
+        mesh: mesh?,
+        formats,
+        pictures: pictures?,
+        step: StepForm { tolerance: tolerance?, unit: unit? },
+    })
 }
 
 /// The tables of a boundary and of what fills it, read but not judged.

@@ -12,9 +12,6 @@ pub(super) use glb::{Motion, write as write_glb};
 
 use super::subject::Export;
 
-/// Largest distance of a fitted surface from the patch where none is asked for, as a share of the size.
-pub const DEFAULT_TOLERANCE: f64 = 1e-6;
-
 /// The enum of formats, the list of them and their rows, from one line each: variant, name, writer of meshes.
 macro_rules! formats {
     ($($variant:ident = $name:literal, $meaning:literal, $writer:expr;)*) => {
