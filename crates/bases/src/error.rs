@@ -5,7 +5,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum BasisError {
     /// The degree lies outside what the family is defined, or accurate, for.
-    #[error("degree {degree} of the {family} basis is outside {min}..={max}")]
+    #[error("degree {degree} of the {family} basis is not offered: {min} to {max} are")]
     Degree {
         /// Name of the family.
         family: &'static str,
@@ -63,7 +63,7 @@ pub enum BasisError {
         end: f64,
     },
     /// A Gauss rule of that many points is not offered.
-    #[error("a Gauss–Legendre rule needs 1..={max} points, got {points}")]
+    #[error("a Gauss–Legendre rule has 1 to {max} points, not {points}")]
     Points {
         /// The number of points asked for.
         points: usize,

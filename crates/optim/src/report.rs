@@ -130,23 +130,40 @@ impl Search {
     }
 }
 
-/// Why a polish ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum PolishReason {
-    /// The projected gradient vanishes within the tolerance.
-    Stationary,
-    /// The value cannot be lowered any further in rounding, though the tolerance is not met.
-    Flat,
-    /// The evaluation budget is spent.
-    Budget,
-    /// The start has no finite value and gradient.
-    NotFinite,
+/// The enum, the list of its variants, which none can be left out of, and their words.
+macro_rules! polish_reasons {
+    ($($(#[$meaning:meta])* $variant:ident = $word:literal;)*) => {
+        /// Why a polish ended.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
+        pub enum PolishReason {
+            $($(#[$meaning])* $variant,)*
+        }
+
+        impl PolishReason {
+            /// Every reason.
+            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$variant),*];
+
+            /// Its word, for files: sentences may be mended.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $word,)*
+                }
+            }
+        }
+    };
 }
 
-impl PolishReason {
-    /// Every reason.
-    pub const ALL: [Self; 4] = [Self::Stationary, Self::Flat, Self::Budget, Self::NotFinite];
+polish_reasons! {
+    /// The projected gradient vanishes within the tolerance.
+    Stationary = "stationary";
+    /// The value cannot be lowered any further in rounding, though the tolerance is not met.
+    Flat = "flat";
+    /// The evaluation budget is spent.
+    Budget = "budget";
+    /// The start has no finite value and gradient.
+    NotFinite = "not-finite";
 }
 
 impl fmt::Display for PolishReason {

@@ -172,6 +172,14 @@ pub enum MethodError {
         /// Rounding of the surface as a share of the size of its boundary.
         share: f64,
     },
+    /// A setting that nothing is filled with.
+    #[error("the {name} of a filling is above 0 and finite; {value} is not")]
+    Setting {
+        /// Which.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A parameter at which a curve is not defined.
     #[error("the curve lives between {start} and {end}, and has no point at {t}")]
     Sample {

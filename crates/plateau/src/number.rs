@@ -1,5 +1,5 @@
-//! Numbers for people: as many digits of a number as are of use, in the notation that can be read. Every sentence, table and picture
-//! of this workspace writes its numbers by it.
+//! Numbers for people: as many digits of a number as are of use, in the notation that can be read. Sentences, tables and pictures take
+//! it wherever one notation is not right for every size; an error with two digits is always `{:.1e}`.
 
 /// How a number is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -149,10 +149,10 @@ class Surface:
         return [*self._about, *self._record.get("warnings", [])]
 
     @property
-    def shape(self) -> tuple[float, float, float, float] | None:
-        """The shape parameters (α1, α2, β1, β2) of bases that have them."""
+    def shape(self) -> tuple[float, ...] | None:
+        """The shape parameters of bases that have them, those in u before those in v: (α1, α2, β1, β2) of the GT basis."""
         shape = self._record.get("shape")
-        return None if shape is None else (shape[0], shape[1], shape[2], shape[3])
+        return None if shape is None else tuple(shape)
 
     @property
     def kink(self) -> Kink | None:

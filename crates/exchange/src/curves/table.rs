@@ -140,7 +140,7 @@ impl Sides {
                 };
                 return Err(CurveFileError::at(
                     curve.line,
-                    format!("{side} has a single point; two are the least"),
+                    format!("{side} has a single point; at least two are needed"),
                 ));
             }
             curve.closes = is_nameless || columns.are_rings;

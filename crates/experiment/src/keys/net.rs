@@ -1,5 +1,6 @@
 //! `[net]`: a surface of which every control point is given.
 
+use bases::{Aht, At};
 use plateau::{MAX_COORDINATE, MAX_DEGREE};
 
 use super::curve::{FAMILIES, Family};
@@ -11,7 +12,7 @@ use crate::text::{Interval, Key, List, Name, Points, Reals, Section, Ways};
 const MOST_CUTS: usize = 1000;
 
 /// Longest interval in any family; each has a bound of its own.
-const LONGEST: f64 = 7.853_204_624_095_837;
+const LONGEST: f64 = Aht::SUPREMUM.max(At::SUPREMUM);
 
 const SPAN: Interval = Interval::below(SHORTEST, LONGEST);
 const CUTS: Reals = Reals { least: 1, most: MOST_CUTS, each: Interval::above(0.0, LONGEST) };

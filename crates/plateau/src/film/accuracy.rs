@@ -1,6 +1,7 @@
 //! Degrees that rise, and layers around corners, until the area is near the least.
 
-use super::fill::{Fill, Solution};
+use super::options::Fill;
+use super::solution::Solution;
 use crate::{
     AreaEstimate, MethodError, Progress, Seams, Warning, estimate_complex, least_area_complex, memory,
 };

@@ -2,7 +2,8 @@
 
 use energy::EnergyError;
 
-use super::fill::{Fill, Solution};
+use super::options::Fill;
+use super::solution::Solution;
 use super::{Tried, Way};
 use crate::{CutBoundary, Cutting, Loop, MethodError, Progress, Seams};
 

@@ -2,201 +2,19 @@
 
 use surfaces::{BoundaryCurve, Complex, ComplexMesh, Point, anchor, extent};
 
-use super::{Film, Tried, cone, degree, pinch};
+use super::options::{Fill, FillEnergy, Meshing};
+use super::solution::Solution;
+use super::{Film, Tried, cone, degree};
 use crate::degenerate::far;
 use crate::excess::{estimated, told};
 use crate::memory;
 use crate::surface::per_face;
-use crate::trust::of_film;
 use crate::{
-    AreaEnd, AreaExtremal, CurveGraph, CutBoundary, Cutting, CuttingError, Family, Figures, Loop,
-    MethodError, Progress, Seams, Surface, Warning, Way, dirichlet_complex, least_area_complex, lower_bound,
+    CurveGraph, CutBoundary, Cutting, CuttingError, Family, Figures, Loop, MethodError, Progress, Seams,
+    Surface, Warning, dirichlet_complex, least_area_complex, lower_bound,
 };
 
-/// What is minimised.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FillEnergy {
-    /// The area.
-    Area,
-    /// The Dirichlet energy ½∫(E + G), every patch over a unit square.
-    Dirichlet,
-}
-
-/// How a boundary is filled.
-///
-/// ```
-/// use plateau::{Fill, Loop};
-/// use surfaces::Point;
-/// let corners = [[0., 0., 0.], [1., 0., 0.], [1., 1., 1.], [0., 1., 0.]].map(Point::from);
-/// let film = Fill::default().with_degree(8).loops(&[Loop::polygon(&corners)?], &())?;
-/// // K(¾)/K(¼)
-/// assert!((film.figures.area.value - 1.279_261_571_171_006).abs() < 1e-9);
-/// # Ok::<(), plateau::MethodError>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fill {
-    degree: Option<usize>,
-    energy: FillEnergy,
-    pub(super) tolerance: f64,
-    rim_tolerance: Option<f64>,
-    corner_angle: f64,
-    way: Option<Way>,
-    layers: usize,
-    accuracy: Option<f64>,
-    bound: bool,
-    mesh: Meshing,
-}
-
-/// How fine the mesh of a film is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Meshing {
-    /// Subdivisions of every side of a patch.
-    PerPatch(usize),
-    /// Those of a single patch with as many vertices in all.
-    InAll(usize),
-}
-
-impl Default for Fill {
-    /// The least area in patches of degree 6, or that of the curves where it is higher, to [`Self::TOLERANCE`] of itself; curves that cannot be
-    /// met exactly to 1e-6 of the size.
-    fn default() -> Self {
-        Self {
-            degree: None,
-            energy: FillEnergy::Area,
-            tolerance: Self::TOLERANCE,
-            rim_tolerance: None,
-            corner_angle: Cutting::CORNER_ANGLE,
-            way: None,
-            layers: 0,
-            accuracy: None,
-            bound: false,
-            mesh: Meshing::PerPatch(16),
-        }
-    }
-}
-
-/// An annulus that did not become stationary is pinching where it is thinner than this share of its thinner rim.
-const PINCHING: f64 = 0.2;
-
 impl Fill {
-    /// The relative decrease of the area that counts as none.
-    pub const TOLERANCE: f64 = 1e-9;
-
-    /// Share of the size of the boundary by which its rim may deviate from curves that cannot be met exactly.
-    pub const RIM_TOLERANCE: f64 = 1e-6;
-
-    /// Most layers of smaller patches around corners.
-    pub const MOST_LAYERS: usize = 4;
-
-    /// Patches of this degree.
-    #[must_use]
-    pub fn with_degree(mut self, degree: usize) -> Self {
-        self.degree = Some(degree);
-        self
-    }
-
-    /// The degree that was asked for.
-    #[must_use]
-    pub fn degree(&self) -> Option<usize> {
-        self.degree
-    }
-
-    /// See [`with_tolerance`](Self::with_tolerance).
-    #[must_use]
-    pub fn tolerance(&self) -> f64 {
-        self.tolerance
-    }
-
-    /// See [`with_layers`](Self::with_layers).
-    #[must_use]
-    pub fn layers(&self) -> usize {
-        self.layers
-    }
-
-    /// See [`with_accuracy`](Self::with_accuracy).
-    #[must_use]
-    pub fn accuracy(&self) -> Option<f64> {
-        self.accuracy
-    }
-
-    /// See [`with_bound`](Self::with_bound).
-    #[must_use]
-    pub fn bound(&self) -> bool {
-        self.bound
-    }
-
-    /// Minimises this energy.
-    #[must_use]
-    pub fn with_energy(mut self, energy: FillEnergy) -> Self {
-        self.energy = energy;
-        self
-    }
-
-    /// The relative decrease of the area that counts as none, see [`least_area`](crate::least_area).
-    #[must_use]
-    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
-        self.tolerance = tolerance;
-        self
-    }
-
-    /// The rim may deviate by this length from curves that cannot be met exactly.
-    #[must_use]
-    pub fn with_rim_tolerance(mut self, tolerance: f64) -> Self {
-        self.rim_tolerance = Some(tolerance);
-        self
-    }
-
-    /// The turn of direction in radians above which curves meet in a corner; samples have their own.
-    #[must_use]
-    pub fn with_corner_angle(mut self, angle: f64) -> Self {
-        self.corner_angle = angle;
-        self
-    }
-
-    /// Cuts in this way, and tries no other.
-    #[must_use]
-    pub fn with_way(mut self, way: impl Into<Option<Way>>) -> Self {
-        self.way = way.into();
-        self
-    }
-
-    /// Sets layers of smaller patches around the corners of the rim where a surface of least area is not smooth ([`odd_corners`](crate::odd_corners)), one
-    /// in the other, at most [`Self::MOST_LAYERS`]. A layer that does not lower the area is not kept; nor is any where the area is not minimised.
-    #[must_use]
-    pub fn with_layers(mut self, layers: usize) -> Self {
-        self.layers = layers.min(Self::MOST_LAYERS);
-        self
-    }
-
-    /// Raises the degree until the area is estimated to lie less than this share above the least, up to degree 14; where that gains little
-    /// because of odd corners, they get a layer of smaller patches. The rim stays as it was met at first.
-    #[must_use]
-    pub fn with_accuracy(mut self, accuracy: impl Into<Option<f64>>) -> Self {
-        self.accuracy = accuracy.into();
-        self
-    }
-
-    /// Whether a lower bound of the area is to be proved, see [`lower_bound`].
-    #[must_use]
-    pub fn with_bound(mut self, bound: bool) -> Self {
-        self.bound = bound;
-        self
-    }
-
-    /// The mesh of the film has this many subdivisions of every side of a patch.
-    #[must_use]
-    pub fn with_mesh(mut self, subdivisions: usize) -> Self {
-        self.mesh = Meshing::PerPatch(subdivisions);
-        self
-    }
-
-    /// The mesh of the film has about as many vertices as that of a single patch of this many subdivisions.
-    #[must_use]
-    pub fn with_mesh_in_all(mut self, subdivisions: usize) -> Self {
-        self.mesh = Meshing::InAll(subdivisions);
-        self
-    }
-
     /// The surface between loops: one is spanned by a disc, two by an annulus. As [`solve`](crate::solve) does, all is computed relative to
     /// a point of the boundary: how far from the origin it lies changes no figure.
     ///
@@ -208,6 +26,7 @@ impl Fill {
     /// [`MethodError::Apart`] for two loops so far apart that no surface of least area hangs together between them,
     /// [`MethodError::Cutting`] for what no surface can be laid out over, else as [`least_area`](crate::least_area).
     pub fn loops(&self, loops: &[Loop], progress: &dyn Progress) -> Result<Film, MethodError> {
+        self.check()?;
         let given: Vec<Point> =
             loops.iter().flat_map(Loop::curves).flat_map(BoundaryCurve::given_points).collect();
         let origin = anchor(&given);
@@ -259,6 +78,7 @@ impl Fill {
     /// # Errors
     /// As [`Self::loops`].
     pub fn graph(&self, graph: &CurveGraph, progress: &dyn Progress) -> Result<Film, MethodError> {
+        self.check()?;
         let curves = || graph.curves().iter().map(|curve| &curve.curve);
         let given: Vec<Point> =
             curves().flat_map(BoundaryCurve::given_points).chain(graph.places()).collect();
@@ -317,9 +137,12 @@ impl Fill {
         origin: Point,
         progress: &dyn Progress,
     ) -> Result<Film, MethodError> {
-        // Layer after layer: one that does not lower the area leaves the solution as it is.
-        for _ in 0..self.layers {
+        // Layer after layer, until one does not lower the area: it leaves the solution as it is, and so would the next.
+        for layer in 1..=self.layers {
             solution = self.layered(solution, progress)?;
+            if solution.layers < layer {
+                break;
+            }
         }
         let mut notes = Vec::new();
         if solution.layers < self.layers {
@@ -331,25 +154,7 @@ impl Fill {
             (solution, estimate) = (reached.solution, reached.estimate);
             notes.extend(reached.note);
         }
-        let Solution { cut, complex, names, layers, extremal, seams } = solution;
-        let (mesh, figures) = self.measured(&complex, origin)?;
-        let mut film = Film {
-            names,
-            layers,
-            way: cut.way(),
-            rim: cut.deviation(),
-            welded: cut.welded(),
-            complex,
-            extremal,
-            figures,
-            seams,
-            one_by_one,
-            estimate: None,
-            bound: None,
-            tried,
-            mesh,
-            warnings: notes,
-        };
+        let mut film = self.with_figures(solution, (tried, one_by_one, notes), origin)?;
         film.warnings.extend(film.warned()?);
         let surface = Surface::Complex(film.complex.clone());
         let found = (&surface, Family::Complex, film.extremal.as_ref());
@@ -372,6 +177,34 @@ impl Fill {
             }
         }
         Ok(film)
+    }
+
+    /// A film of a solution, with its figures and what is known of it already.
+    fn with_figures(
+        &self,
+        solution: Solution,
+        (tried, one_by_one, notes): (Vec<Tried>, Option<f64>, Vec<Warning>),
+        origin: Point,
+    ) -> Result<Film, MethodError> {
+        let Solution { cut, complex, names, layers, extremal, seams } = solution;
+        let (mesh, figures) = self.measured(&complex, origin)?;
+        Ok(Film {
+            names,
+            layers,
+            way: cut.way(),
+            rim: cut.deviation(),
+            welded: cut.welded(),
+            complex,
+            extremal,
+            figures,
+            seams,
+            one_by_one,
+            estimate: None,
+            bound: None,
+            tried,
+            mesh,
+            warnings: notes,
+        })
     }
 
     /// The mesh of a surface that lies `origin` away from where its boundary was given, and its figures.
@@ -408,106 +241,5 @@ fn told_if_far(film: Result<Film, MethodError>, given: &[Point], origin: Point) 
         }
         (Err(error), None) => Err(error.moved(origin)),
         (Err(error), Some(far)) => Err(MethodError::Far { far, error: Box::new(error.moved(origin)) }),
-    }
-}
-
-/// A cut boundary with the surface over it.
-pub(super) struct Solution {
-    pub(super) cut: CutBoundary,
-    pub(super) complex: Complex,
-    /// The names of its vertices.
-    pub(super) names: Vec<String>,
-    /// Layers of smaller patches around its corners.
-    pub(super) layers: usize,
-    pub(super) extremal: Option<AreaExtremal>,
-    pub(super) seams: Seams,
-}
-
-impl Solution {
-    /// The area, where it was minimised.
-    fn area(&self) -> Option<f64> {
-        self.extremal.map(|found| found.area.value)
-    }
-
-    /// Whether there is no reason to cut in another way: stationary, and even to this ratio.
-    pub(super) fn is_sound(&self, ratio: f64) -> bool {
-        self.seams.is_even(ratio) && self.extremal.is_none_or(|found| found.end == AreaEnd::Stationary)
-    }
-
-    /// Whether it is to be preferred: it does not fold where the other does, else has less area, or is more even where no
-    /// area was minimised.
-    pub(super) fn is_better(&self, other: &Self) -> bool {
-        match (self.seams.folds(), other.seams.folds(), self.area(), other.area()) {
-            (false, true, _, _) => true,
-            (true, false, _, _) => false,
-            (_, _, Some(ours), Some(theirs)) => ours < theirs,
-            (_, _, None, _) | (_, _, _, None) => self.seams.jacobian_ratio > other.seams.jacobian_ratio,
-        }
-    }
-
-    pub(super) fn tried(&self) -> Tried {
-        Tried {
-            way: self.cut.way(),
-            area: self.area(),
-            jacobian_ratio: self.seams.jacobian_ratio,
-            folds: self.seams.folds(),
-        }
-    }
-}
-
-impl Film {
-    /// The film moved.
-    fn moved(mut self, by: Point) -> Result<Self, MethodError> {
-        if by == Point::ZERO {
-            return Ok(self);
-        }
-        self.complex = self.complex.moved(by)?;
-        self.mesh.mesh.points.iter_mut().for_each(|p| *p += by);
-        for warning in &mut self.warnings {
-            if let Warning::Pinches { at, .. } = warning {
-                *at = (Point::from(*at) + by).into();
-            }
-        }
-        Ok(self)
-    }
-
-    /// What a reader must know.
-    fn warned(&self) -> Result<Vec<Warning>, MethodError> {
-        let mut warnings = Vec::new();
-        match self.pinches()? {
-            // What else is wrong comes of that.
-            Some(pinches) => warnings.push(pinches),
-            None => {
-                of_film(self.extremal.as_ref(), &self.figures, &mut warnings);
-                self.warn_of_folds(&mut warnings);
-            }
-        }
-        let area = self.figures.area.value;
-        if let Some(discs) = self.one_by_one.filter(|discs| *discs < area) {
-            warnings.push(Warning::OneByOne { discs, area });
-        }
-        Ok(warnings)
-    }
-
-    fn warn_of_folds(&self, warnings: &mut Vec<Warning>) {
-        if self.seams.folds() {
-            let (faces, of) = (self.seams.folded.len(), self.complex.faces().len());
-            warnings.push(Warning::Folded { faces, of, kink: self.seams.kink.map_or(0.0, |kink| kink.max) });
-        }
-        if let Some(edge) = self.seams.singular_edge {
-            let ends = self.edge_name(edge).map(str::to_owned);
-            warnings.push(Warning::KinkUndefined { ends });
-        }
-    }
-
-    /// That an annulus pinches: it is unstable, or was left thin and not stationary. With layers around corners its faces are no rings; it
-    /// had none unless it was a minimum without.
-    fn pinches(&self) -> Result<Option<Warning>, MethodError> {
-        let (Some(found), Way::Annulus, 0) = (&self.extremal, self.way, self.layers) else { return Ok(None) };
-        let Some(waist) = pinch::thinnest(&self.complex)? else { return Ok(None) };
-        let is_stuck = found.end != AreaEnd::Stationary && waist.length < PINCHING * waist.rim;
-        let is_unstable = found.second_variation.is_some_and(|smallest| smallest < 0.0);
-        let pinches = Warning::Pinches { length: waist.length, at: waist.middle.into() };
-        Ok((is_stuck || is_unstable).then_some(pinches))
     }
 }

@@ -4,7 +4,8 @@ use std::collections::HashSet;
 
 use energy::EnergyError;
 
-use super::fill::{Fill, Solution};
+use super::options::Fill;
+use super::solution::Solution;
 use crate::corners::graded;
 use crate::{AreaEnd, AreaExtremal, MethodError, Progress, Seams, least_area_complex_near, odd_corners};
 

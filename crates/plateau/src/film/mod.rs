@@ -6,11 +6,15 @@ mod degree;
 mod disc;
 mod fill;
 mod layers;
+mod options;
 mod pinch;
+mod solution;
+mod warned;
 
 use surfaces::{Complex, ComplexMesh, Deviation, Point};
 
-pub use fill::{Fill, FillEnergy, fill};
+pub use fill::fill;
+pub use options::{Fill, FillEnergy};
 
 use crate::{
     AreaExtremal, Done, Energy, Family, Figures, FilmFigures, LowerBound, Seams, Solved, Surface, Warning,

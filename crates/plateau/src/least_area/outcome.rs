@@ -51,10 +51,6 @@ pub struct AreaExtremal {
 }
 
 impl AreaExtremal {
-    /// The reason that records of earlier versions give where points slid within the surface, so that only what does not
-    /// depend on the parameters was determined.
-    pub const SLIDES: &str = "the area is all but constant along what remains of the gradient";
-
     /// Why it ended, in words.
     pub fn reason(&self) -> String {
         let given_up = match self.given_up > 0.0 {

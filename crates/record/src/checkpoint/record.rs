@@ -85,7 +85,7 @@ impl PolishRecord {
             active: polished.active.iter().map(side).collect(),
             evaluations: polished.evaluations,
             iterations: polished.iterations,
-            reason: polished.reason.to_string(),
+            reason: polished.reason.name().to_owned(),
         }
     }
 
@@ -108,7 +108,7 @@ impl PolishRecord {
             active: self.active.iter().map(bound).collect::<Option<_>>()?,
             evaluations: self.evaluations,
             iterations: self.iterations,
-            reason: PolishReason::ALL.into_iter().find(|reason| reason.to_string() == self.reason)?,
+            reason: PolishReason::ALL.into_iter().find(|reason| reason.name() == self.reason)?,
         })
     }
 }
