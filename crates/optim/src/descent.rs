@@ -265,10 +265,10 @@ impl<'a, S: Smooth + ?Sized> Descent<'a, S> {
                 if halved || (gentler && patient) {
                     return Search::Found;
                 }
-                // The slope has turned: the next trial is its zero, by the secant.
+                // The slope has turned: the next trial is its zero, by the secant from the short end, which is not left behind.
                 if steepness > 0.0 && patient {
                     self.idle += 1;
-                    a *= slope / (slope - steepness);
+                    a = low[0] + (a - low[0]) * (low[2] / (low[2] - steepness));
                     continue;
                 }
             }

@@ -406,3 +406,19 @@ fn bad_parameters_are_errors() {
     assert!(good.run_starts(&smooth, &bounds, 0, 1).is_err());
     assert!(good.run_starts(&smooth, &bounds, usize::MAX, 1).is_err());
 }
+
+/// Values that rounding blurs say of steps what they like: here the first step seems to gain, then the slope turns so steeply beyond it that its
+/// zero, seen from the start, lies before that step, where nothing seems gained.
+#[test]
+fn a_step_is_never_shortened_to_less_than_one_that_was_good() {
+    let slope = 2.2e-7;
+    // How far the first step goes in a box of width 1 where the value is 1.
+    let first = slope;
+    let wall = FnSmooth::new(1, |x: &[f64], gradient: &mut [f64]| {
+        gradient[0] = slope * (14.0 * (x[0] / (4.0 * first)).powi(13) - 1.0);
+        if (0.9 * first..3.0 * first).contains(&x[0]) { 1.0 - 5e-14 } else { 1.0 }
+    });
+    let bounds = Bounds::new(vec![0.0], vec![1.0]).unwrap();
+    let found = Polish::default().run(&wall, &bounds, &[0.0]).unwrap();
+    assert!(found.value <= 1.0 && (0.0..4.0 * first).contains(&found.point[0]), "{found:?}");
+}
