@@ -15,7 +15,7 @@ use surfaces::Point;
 use super::assembly::Assembly;
 use super::descent::{Descent, LEAST_SHIFT, LOOSE, ROUNDING, Reached, TRIES, defined, less};
 use super::outcome::ValleyEnd;
-use super::rules::Known;
+use super::rules::{Known, Rules};
 use super::space::{Space, Topology};
 use super::steps::{EVENNESS, Model};
 use super::tensor::times;
@@ -134,9 +134,8 @@ impl<S: Space> Descent<'_, '_, S> {
         let mut reach = Reach::new(self.rules.space, reference)?;
         // No more is asked of a surface than the reference has: its own control points may lie further away.
         reach.sizes = reach.sizes(topology, reference);
-        let smallest = self.rules.first();
         // One and the same for all surfaces, whatever they are integrated by.
-        reach.rule = if reached.surface.points == smallest { smallest } else { self.rules.largest() };
+        reach.rule = Rules::<S>::of_evenness(reached.surface.points);
         reach.floor = self.evenness(reach.rule, reference)?.map(|even| EVENNESS * even);
         if self.fits(&reach, &reached.surface)? {
             return Ok(());
@@ -199,12 +198,14 @@ impl<S: Space> Descent<'_, '_, S> {
     /// The least over the mean area density inside, by a rule, and at the nodes, which lie on the border, too.
     fn evenness(&mut self, points: usize, x: &[Point]) -> Result<[f64; 2], MethodError> {
         let topology = self.rules.space.topology();
-        let inside = self.rules.fine(points, x)?;
+        let cell = self.rules.cell(points)?;
+        let assembly = Assembly { topology, cell: cell.as_ref() };
+        let (area, inside) = assembly.measure(&assembly.tangents(x));
         let nodes = Assembly { topology, cell: self.at_nodes()?.as_ref() }.tangents(x);
         let densities = nodes.into_iter().flatten().map(|[x_u, x_v]| x_u.cross(x_v).norm());
-        let extent: f64 = self.rules.cell(points)?.weights().iter().sum();
-        let mean = inside.area / (extent * topology.cells.len() as f64);
-        Ok([inside.evenness, densities.fold(f64::INFINITY, f64::min) / mean])
+        let extent: f64 = cell.weights().iter().sum();
+        let mean = area / (extent * topology.cells.len() as f64);
+        Ok([inside, densities.fold(f64::INFINITY, f64::min) / mean])
     }
 
     fn at_nodes(&self) -> Result<Rc<dyn Cell>, MethodError> {

@@ -103,10 +103,14 @@ impl<'a, S: Space> Rules<'a, S> {
         Ok(Fine { tangents, area, evenness })
     }
 
-    /// The least over the mean of the area density at the points of the largest rule: a figure that does not depend on how fine the
-    /// rule of a surface was chosen.
-    pub(super) fn evenness(&mut self, x: &[Point]) -> Result<f64, MethodError> {
-        let cell = self.cell(self.largest())?;
+    /// Points of the rule by which the evenness of surfaces of a rule is compared: the same for rules that are nearly as fine.
+    pub(super) fn of_evenness(points: usize) -> usize {
+        Self::finer(points).next_power_of_two()
+    }
+
+    /// The least over the mean of the area density at the points of a rule.
+    pub(super) fn evenness(&mut self, points: usize, x: &[Point]) -> Result<f64, MethodError> {
+        let cell = self.cell(points)?;
         let assembly = Assembly { topology: self.space.topology(), cell: cell.as_ref() };
         Ok(assembly.measure(&assembly.tangents(x)).1)
     }

@@ -11,7 +11,7 @@ use super::descent::{
     Descent, LEAST_SHIFT, LOOSE, ROUNDING, Reached, Step, TRIES, TRUSTED_SHIFT, defined, less,
 };
 use super::outcome::ValleyEnd;
-use super::rules::{Fine, Known};
+use super::rules::{Fine, Known, Rules};
 use super::space::Space;
 use crate::MethodError;
 
@@ -38,7 +38,7 @@ const LESS_EVEN: f64 = 4.0;
 const MARGIN: f64 = 1.25;
 
 /// Times the floor from which on a surface is even by whatever rule it is looked at.
-const COMFORTABLE: f64 = 3.0;
+const COMFORTABLE: f64 = 1.25;
 
 /// Steps that lead to surfaces that no rule integrates, after which no other is tried.
 const UNRESOLVED: usize = 4;
@@ -60,9 +60,9 @@ struct Trial {
 struct Bounds<'x> {
     /// The surfaces from whose evenness it counts.
     from: [&'x [Point]; 2],
-    /// The floor by the first rule, and by the largest once it is needed.
+    /// The floor by the first rule, and by a rule of so many points once it is needed.
     first_floor: f64,
-    floor: Option<f64>,
+    floor: Option<(usize, f64)>,
     idle: usize,
     last: usize,
     unresolved: usize,
@@ -75,21 +75,27 @@ impl<S: Space> Descent<'_, '_, S> {
         MARGIN * EVENNESS * 10f64.powf(-LESS_EVEN * digits)
     }
 
-    /// Whether a surface is no less even than the floor. Near the floor the largest rule decides, so that it plays no part by which the
-    /// surface was integrated.
-    fn is_even(&mut self, trial: &Trial, bounds: &mut Bounds<'_>) -> Result<bool, MethodError> {
+    /// Whether a surface of a rule is no less even than the floor. Near the floor a rule decides that is the same for rules which are
+    /// nearly as fine, so that it plays no part by which of them the surface was integrated.
+    fn is_even(
+        &mut self,
+        points: usize,
+        trial: &Trial,
+        bounds: &mut Bounds<'_>,
+    ) -> Result<bool, MethodError> {
         if trial.fine.evenness >= COMFORTABLE * bounds.first_floor {
             return Ok(true);
         }
+        let points = Rules::<S>::of_evenness(points);
         let floor = match bounds.floor {
-            Some(floor) => floor,
-            None => {
+            Some((of, floor)) if of == points => floor,
+            Some(_) | None => {
                 let [first, second] = bounds.from;
-                let least = self.rules.evenness(first)?.min(self.rules.evenness(second)?);
-                *bounds.floor.insert(self.floor_share() * least)
+                let least = self.rules.evenness(points, first)?.min(self.rules.evenness(points, second)?);
+                bounds.floor.insert((points, self.floor_share() * least)).1
             }
         };
-        Ok(self.rules.evenness(&trial.x)? >= floor)
+        Ok(self.rules.evenness(points, &trial.x)? >= floor)
     }
 
     /// Levenberg–Marquardt steps `(H + λK) d = −∇A` in all coordinates, K the Dirichlet product over the surface, until two
@@ -215,7 +221,7 @@ impl<S: Space> Descent<'_, '_, S> {
             let quality = (here.area() - trial.fine.area) / predicted;
             // The quotient of two roundings says nothing: a small step must only not climb.
             let lower = quality > 1e-4 || small && trial.fine.area <= here.area() * (1.0 + ROUNDING);
-            if lower && (small || self.is_even(&trial, bounds)?) {
+            if lower && (small || self.is_even(here.points, &trial, bounds)?) {
                 let Trial { x, fine } = trial;
                 return Ok(Ok(Step { x, fine, predicted, quality }));
             }
@@ -285,7 +291,10 @@ impl<S: Space> Descent<'_, '_, S> {
             factor.solve(1, &mut d)?;
             let next = self.trial(here.points, less(&trial.x, &self.all.scatter(&d)))?;
             let gained = trial.fine.area - next.fine.area;
-            if gained.is_nan() || gained <= ROUNDING * trial.fine.area || !self.is_even(&next, bounds)? {
+            if gained.is_nan()
+                || gained <= ROUNDING * trial.fine.area
+                || !self.is_even(here.points, &next, bounds)?
+            {
                 break;
             }
             let so_far = here.area() - trial.fine.area;
