@@ -234,8 +234,8 @@ pub(crate) struct FillArguments {
     /// Degree of the patches, at most 24; by default 6, or that of the curves where it is higher
     #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=DegreeLimit::Patches.degree() as i64))]
     pub(crate) degree: Option<u16>,
-    /// Layers of smaller patches around corners where the surface is not smooth
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1))]
+    /// Layers of smaller patches around corners where the surface is not smooth: 0 or 1
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1))]
     pub(crate) layers: u16,
     /// Raise the degree until the area is estimated to lie less than this share above the least; corners that hold it up get a layer
     #[arg(long, value_name = "SHARE", value_parser = accuracy)]

@@ -298,7 +298,7 @@ pub enum Warning {
         at: [f64; 3],
     },
     /// Two loops that are spanned with less area one by one.
-    #[error("the two loops, each spanned by itself, have less area together: {} instead of {}", Notation::Exact.of(*discs), Notation::Exact.of(*area))]
+    #[error("the two loops, each spanned by itself, have less area together: {} instead of {}", Notation::Short(10).of(*discs), Notation::Short(10).of(*area))]
     OneByOne {
         /// The area of both.
         discs: f64,

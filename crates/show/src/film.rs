@@ -29,7 +29,9 @@ pub fn film_figures(film: &Film, rim: RimSource) -> Vec<(&'static str, String)> 
     rows.push(("faces", faces(film)));
     if let Some(kink) = film.seams.kink {
         let degrees = |angle| Notation::Degrees(2).of(angle);
-        let text = format!("at most {}°, root mean square {}°", degrees(kink.max), degrees(kink.rms));
+        // Across curves that hold the surface it bends as it must.
+        let held = if film.way == Way::Faces { ", where no given curve holds the edge" } else { "" };
+        let text = format!("at most {}°, root mean square {}°{held}", degrees(kink.max), degrees(kink.rms));
         rows.push(("kink", text));
     }
     rows.push(("Jacobian ratio", format!("{:.2}", film.seams.jacobian_ratio)));
