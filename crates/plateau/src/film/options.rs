@@ -162,7 +162,7 @@ impl Fill {
         self
     }
 
-    /// Whether a lower bound of the area is to be proved, see [`lower_bound`].
+    /// Whether a lower bound of the area is to be proved, see [`lower_bound`](crate::lower_bound()).
     #[must_use]
     pub fn with_bound(mut self, bound: bool) -> Self {
         self.bound = bound;
