@@ -7,7 +7,8 @@ use std::thread;
 use experiment::{Finished, Plan};
 use plateau::Progress;
 use record::{
-    DeliverError, Destination, Keeping, Kept, Listener, Remark, own_contents, run_and_keep, write_text,
+    DeliverError, Destination, Interruption, Keeping, Kept, Listener, Remark, own_contents, run_and_keep,
+    write_text,
 };
 
 use crate::order::Order;
@@ -212,7 +213,12 @@ impl Work<'_> {
             run_and_keep(&plan, &keeping, &Watch(self.progress), &mut Remarks { work: self, plan: &plan });
         match kept {
             Kept::Earlier(earlier) => Outcome::Kept { sound: self.meets(&plan, earlier.shortfall()) },
-            Kept::Interrupted(_) => Outcome::Interrupted,
+            Kept::Interrupted(interruption) => {
+                if let Interruption::Searching(_, Some(error)) = interruption {
+                    self.tell(&plan, &format!("finished search runs could not be kept: {error}"));
+                }
+                Outcome::Interrupted
+            }
             Kept::Lost(loss) if loss.is_elsewhere() => Outcome::Elsewhere,
             Kept::Lost(loss) => {
                 self.tell(&plan, &loss.to_string());

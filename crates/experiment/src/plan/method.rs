@@ -233,40 +233,37 @@ impl Draft<'_> {
         let wanted = self.table.or_default(&LAYERS, &self.layers)?;
         // Over three sides the key itself is refused.
         let span = self.layers.span().filter(|_| wanted > 0 && !self.is_triangle());
-        let (Some(span), Some(family), Some(interior)) = (span, family, interior) else {
-            return Some(wanted);
-        };
-        let why = match (family == Family::Bernstein, *interior == Interior::LeastArea) {
-            (true, true) => return Some(wanted),
-            (true, false) => "its interior is not of least area",
-            (false, _) => "its patch is no tensor patch in the Bernstein basis",
-        };
-        self.table.faults().clash(
-            (span, "needs energy = \"area\" in the Bernstein basis over four sides"),
-            format!("{} has `layers`, but {why}", self.table.name()),
-            "leave it out, or write energy = \"area\" and no `basis`",
-        );
-        None
+        let help = "leave it out, or write energy = \"area\" and no `basis`";
+        self.is_of_least_areas((span, "layers", help), family, interior).then_some(wanted)
     }
 
     /// Whether a lower bound is to be proved.
     fn bound(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<bool> {
         let wanted = self.table.or_default(&BOUND, &self.bound)?;
         let span = self.bound.span().filter(|_| wanted);
-        let (Some(span), Some(family), Some(interior)) = (span, family, interior) else {
-            return Some(wanted);
-        };
+        let help = "leave it out: what is proved of a least area in the Bernstein basis holds for all surfaces with the same boundary curves";
+        self.is_of_least_areas((span, "bound", help), family, interior).then_some(wanted)
+    }
+
+    /// Whether a key that only least areas in the Bernstein basis have, if it is given, stands where it may; what is wrong is reported.
+    fn is_of_least_areas(
+        &self,
+        (span, key, help): (Option<Range<usize>>, &str, &str),
+        family: Option<Family>,
+        interior: Option<&Interior>,
+    ) -> bool {
+        let (Some(span), Some(family), Some(interior)) = (span, family, interior) else { return true };
         let why = match (family == Family::Bernstein, *interior == Interior::LeastArea) {
-            (true, true) => return Some(wanted),
+            (true, true) => return true,
             (true, false) => "its interior is not of least area",
             (false, _) => "its patch is no tensor patch in the Bernstein basis",
         };
         self.table.faults().clash(
             (span, "needs energy = \"area\" in the Bernstein basis over four sides"),
-            format!("{} has `bound`, but {why}", self.table.name()),
-            "leave it out: what is proved of a least area in the Bernstein basis holds for all surfaces with the same boundary curves",
+            format!("{} has `{key}`, but {why}", self.table.name()),
+            help,
         );
-        None
+        false
     }
 
     /// The triangle over which an energy is taken.

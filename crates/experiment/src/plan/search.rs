@@ -25,9 +25,6 @@ pub(super) fn search(table: &Table<'_>) -> Option<Search> {
         (Topology::Local, neighbours) => Variant::Local { neighbours },
     };
     let counts = [particles?, iterations?, runs?];
-    if !is_within_budget(table, counts) {
-        return None;
-    }
     let (inertia, social, cognitive) = (inertia?, social?, cognitive?);
     let search = || -> Result<Search, SearchFault> {
         let [particles, iterations, runs] = counts;
@@ -37,8 +34,11 @@ pub(super) fn search(table: &Table<'_>) -> Option<Search> {
             .with_weights(inertia, social, cognitive)?
             .with_box(lower, upper)
     };
-    let refused = |fault: SearchFault| {
-        table.faults().inadmissible(table.span(), fault.to_string(), "this search", "change its numbers");
+    let refused = |fault: SearchFault| match fault {
+        SearchFault::Budget(budget) => beyond_budget(table, budget, counts),
+        fault => {
+            table.faults().inadmissible(table.span(), fault.to_string(), "this search", "change its numbers")
+        }
     };
     search().map_err(refused).ok()
 }
@@ -59,12 +59,8 @@ fn bounds(table: &Table<'_>) -> Option<[f64; 2]> {
     None
 }
 
-fn is_within_budget(table: &Table<'_>, [particles, iterations, runs]: [usize; 3]) -> bool {
+fn beyond_budget(table: &Table<'_>, budget: u64, [particles, iterations, runs]: [usize; 3]) {
     let counts = [("particles", particles), ("iterations", iterations), ("runs", runs)];
-    let budget = counts.iter().fold(1u64, |product, &(_, count)| product.saturating_mul(count as u64));
-    if budget <= MAX_SEARCH_BUDGET {
-        return true;
-    }
     let given = counts.iter().filter_map(|&(key, count)| Some((count, table.place(&[key])?)));
     let span = given.max_by_key(|(count, _)| *count).map_or(table.span(), |(_, span)| span);
     table.faults().report(
@@ -81,5 +77,4 @@ fn is_within_budget(table: &Table<'_>, [particles, iterations, runs]: [usize; 3]
              \"pso-polish\" with a small swarm"
         )),
     );
-    false
 }

@@ -198,11 +198,10 @@ mod tests {
                 "bending": 24.0 * dirichlet, "area_extremal": { "reason": reason },
             })
         };
-        let slides = SLIDES;
-        let stored = method(0.521_428_673, 0.548_563_7, slides);
-        let same = figures(&stored, &method(0.521_428_673, 0.548_606_0, slides));
+        let stored = method(0.521_428_673, 0.548_563_7, SLIDES);
+        let same = figures(&stored, &method(0.521_428_673, 0.548_606_0, SLIDES));
         assert!(same.agrees() && same.slides && same.compared == 3);
-        assert!(!figures(&stored, &method(0.521_429_673, 0.548_563_7, slides)).agrees());
+        assert!(!figures(&stored, &method(0.521_429_673, 0.548_563_7, SLIDES)).agrees());
         let settled = "the gradient vanishes and no curvature is negative";
         let stored = method(0.521_428_673, 0.548_563_7, settled);
         assert!(!figures(&stored, &method(0.521_428_673, 0.548_606_0, settled)).agrees());
