@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use exchange::{Assembly, AssemblyOptions, CurveFile, Frame, Kind};
+use exchange::{AssemblyOptions, CurveFile, Kind};
+use experiment::{Filling, ImportOptions};
 use numpy::PyReadonlyArray2;
 use plateau::{CurveGraph, Fill, FillEnergy, Film, GraphCurve, MethodResult, Progress, Way};
 use pyo3::prelude::*;
@@ -40,12 +41,21 @@ const WAYS: [(&str, Way); 5] = [
     ("parts", Way::Parts),
 ];
 
-/// Share of the size within which samples are met unless something else is asked for, as by the command.
-const RIM_TOLERANCE: f64 = experiment::ImportOptions::TOLERANCE;
-
 impl Options {
     fn energy(&self) -> FillEnergy {
         if self.energy == "dirichlet" { FillEnergy::Dirichlet } else { FillEnergy::Area }
+    }
+
+    /// How curves are taken.
+    fn curves(&self) -> ImportOptions {
+        ImportOptions {
+            tolerance: self.rim_tolerance,
+            assembly: AssemblyOptions {
+                weld: self.weld,
+                corner_angle: self.corner_angle.unwrap_or(AssemblyOptions::CORNER_ANGLE),
+            },
+            ..ImportOptions::default()
+        }
     }
 
     fn fill(&self) -> PyResult<Fill> {
@@ -102,18 +112,10 @@ pub(crate) fn fill_loops(
         curves.iter().enumerate().map(|(k, curve)| curve.curve(k + 1)).collect::<PyResult<Vec<_>>>()?;
     let file = CurveFile { kind: Kind::Table, curves, notes: Vec::new() };
     options.surface(py, told.as_ref(), move |options, fill, progress| {
-        let how = AssemblyOptions {
-            weld: options.weld,
-            corner_angle: options.corner_angle.unwrap_or(AssemblyOptions::CORNER_ANGLE),
-        };
-        let refused = |error: &dyn std::fmt::Display| BoundaryError::new_err(error.to_string());
-        let assembly = Assembly::new(&file, &how).map_err(|error| refused(&error))?;
-        let tolerance = options.rim_tolerance.unwrap_or(RIM_TOLERANCE * assembly.size);
-        let film = match assembly.frame(tolerance).map_err(|error| refused(&error))? {
-            Frame::Loops(loops) => fill.loops(&loops, progress),
-            Frame::Graph(graph) => fill.graph(&graph, progress),
-        };
-        Ok((film.map_err(|error| of_method(&error))?, assembly.notes))
+        let filling = Filling::new(vec![file], &options.curves());
+        let filling = filling.map_err(|error| BoundaryError::new_err(error.to_string()))?;
+        let film = filling.span(fill, progress).map_err(|error| of_method(&error))?;
+        Ok((film, filling.notes().to_vec()))
     })
 }
 

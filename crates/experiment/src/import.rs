@@ -6,11 +6,13 @@ use plateau::Fill;
 use crate::Plan;
 
 mod error;
+mod filling;
 mod options;
 mod printed;
 mod sides;
 
 pub use error::{CornerGap, ImportError};
+pub use filling::Filling;
 pub use options::ImportOptions;
 
 use sides::Sides;
@@ -54,22 +56,6 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
             checked(printed::assembly(&title, &assembly, options, &fill, &notes))
         }
     }
-}
-
-/// The experiment over a boundary that is assembled: loops or faces over curves, sampled ones to be met within the tolerance.
-/// Its method is what `fill` does, but for the curves and the mesh. `name` is that of the file or `-`.
-///
-/// # Errors
-/// [`ImportError`].
-pub fn import_assembly(
-    assembly: &Assembly,
-    name: &str,
-    options: &ImportOptions,
-    fill: &Fill,
-    notes: &[&str],
-) -> Result<String, ImportError> {
-    options.check()?;
-    checked(printed::assembly(&title(name), assembly, options, fill, notes))
 }
 
 /// What a file is called without its folder and ending.

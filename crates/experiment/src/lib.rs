@@ -35,7 +35,7 @@
 //! | running | [`run()`], [`run_kept()`], [`Options`], [`Finished`], [`shortfall()`] |
 //! | sweeps | [`Sweep`]: [`Axis`], its [`Source`]; [`Cell`], its [`Setting`]s |
 //! | refusals | [`Refusal`], [`Diagnostic`], [`Fault`]; [`MAX_FILE_SIZE`], [`MAX_KEYS`], [`MAX_TOKENS`] |
-//! | files of other programs as experiments | [`import()`], [`import_assembly()`], [`ImportOptions`], [`ImportError`], [`CornerGap`], [`MAX_IMPORT_SIZE`] |
+//! | files of other programs as experiments | [`import()`], [`Filling`], [`ImportOptions`], [`ImportError`], [`CornerGap`], [`MAX_IMPORT_SIZE`] |
 //! | the language | [`key_list()`], [`experiment_schema()`], [`Template`] |
 
 mod advice;
@@ -52,7 +52,7 @@ mod template;
 mod text;
 
 pub use diagnostic::{Diagnostic, Fault, Refusal};
-pub use import::{CornerGap, ImportError, ImportOptions, MAX_IMPORT_SIZE, import, import_assembly};
+pub use import::{CornerGap, Filling, ImportError, ImportOptions, MAX_IMPORT_SIZE, import};
 pub use key_list::key_list;
 pub use limits::{MAX_FILE_SIZE, MAX_KEYS, MAX_TOKENS};
 pub use plan::{

@@ -1,4 +1,7 @@
+use std::fmt::Display;
 use std::io;
+
+use crate::terminal::say;
 
 /// Why a command ends with a status other than 0.
 pub(crate) enum Failure {
@@ -10,6 +13,14 @@ pub(crate) enum Failure {
     Interrupted,
     /// The output could not be written.
     Output(io::Error),
+}
+
+impl Failure {
+    /// Bad input, which is told on stderr: what is at fault, and why.
+    pub(crate) fn of_input(what: impl Display, why: impl Display) -> Self {
+        say(&format!("error: {what}: {why}"));
+        Self::Input
+    }
 }
 
 impl From<io::Error> for Failure {

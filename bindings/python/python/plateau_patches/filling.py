@@ -145,6 +145,7 @@ def fill(
 
 def _in_python(note: str) -> str:
     """A sentence that names options of the command, with those of :func:`fill`."""
+    note = note.replace("--tolerance ", "rim_tolerance=")
     return re.sub(r"--(weld|corner-angle) (\S+?)(?=[\s);,`]|$)", lambda m: f"{m[1].replace('-', '_')}={m[2]}", note)
 
 

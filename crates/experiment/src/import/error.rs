@@ -1,6 +1,6 @@
 use std::io;
 
-use exchange::{AssemblyError, CurveFileError};
+use exchange::{AssemblyError, CurveFileError, FrameError};
 use thiserror::Error;
 
 /// Why no boundary could be made of a file.
@@ -16,6 +16,9 @@ pub enum ImportError {
     /// Its curves make no boundary.
     #[error("{0}")]
     Assembly(#[from] AssemblyError),
+    /// Its boundary cannot be filled.
+    #[error("{0}")]
+    Frame(#[from] FrameError),
     /// A number of the options.
     #[error("{0}")]
     Option(String),

@@ -1,4 +1,4 @@
-use exchange::AssemblyOptions;
+use exchange::{Assembly, AssemblyOptions};
 use plateau::MAX_DEGREE;
 
 use super::ImportError;
@@ -19,6 +19,11 @@ pub struct ImportOptions {
 impl ImportOptions {
     /// Share of the size (the diagonal of the box around all curves) by which curves may pass from samples.
     pub const TOLERANCE: f64 = 1e-4;
+
+    /// How far curves may pass from the samples of a boundary, a length.
+    pub(super) fn rim_tolerance(&self, assembly: &Assembly) -> f64 {
+        self.tolerance.unwrap_or(Self::TOLERANCE * assembly.size)
+    }
 
     /// Whether something is said of the points of polylines.
     pub(super) fn says_what_points_are(&self) -> bool {

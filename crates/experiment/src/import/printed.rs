@@ -26,7 +26,7 @@ pub(super) fn assembly(
     fill: &Fill,
     notes: &[&str],
 ) -> String {
-    let tolerance = options.tolerance.unwrap_or(ImportOptions::TOLERANCE * assembly.size);
+    let tolerance = options.rim_tolerance(assembly);
     let mut text = head(title, notes);
     match &assembly.form {
         Form::Loops(loops) => {

@@ -1,0 +1,70 @@
+//! From curves of files to the surface over them.
+
+use exchange::{Assembly, CurveFile, CurveFileError, Frame, Shape, Side};
+use plateau::{Fill, Film, MethodError, Progress};
+use show::RimSource;
+
+use super::{ImportError, ImportOptions, checked, printed};
+
+/// The curves of one or several files as one boundary, ready to be filled.
+#[derive(Debug, Clone)]
+pub struct Filling {
+    assembly: Assembly,
+    frame: Frame,
+    options: ImportOptions,
+    /// What the files say of themselves.
+    told: Vec<String>,
+}
+
+impl Filling {
+    /// Assembles the curves of all files together: a rim may stand in one, a hole in another. Sampled sides are to be met within the
+    /// tolerance of the options.
+    ///
+    /// # Errors
+    /// [`ImportError`]; no file is named in it.
+    pub fn new(files: Vec<CurveFile>, options: &ImportOptions) -> Result<Self, ImportError> {
+        options.check()?;
+        let file = files.into_iter().reduce(CurveFile::with);
+        let file = file.ok_or_else(|| CurveFileError::File("there is no file of curves".into()))?;
+        let assembly = Assembly::new(&file, &options.assembly)?;
+        let frame = assembly.frame(options.rim_tolerance(&assembly))?;
+        Ok(Self { assembly, frame, options: options.clone(), told: file.notes })
+    }
+
+    /// Sentences a user should see on how the curves became one boundary; what the files say of themselves is not among them.
+    pub fn notes(&self) -> &[String] {
+        &self.assembly.notes
+    }
+
+    /// The surface over the boundary.
+    ///
+    /// # Errors
+    /// As [`Fill::loops`].
+    pub fn span(&self, fill: &Fill, progress: &dyn Progress) -> Result<Film, MethodError> {
+        match &self.frame {
+            Frame::Loops(loops) => fill.loops(loops, progress),
+            Frame::Graph(graph) => fill.graph(graph, progress),
+        }
+    }
+
+    /// What the curves were before they are filled.
+    pub fn rim_source(&self) -> RimSource {
+        let is_sampled = |side: &Side| matches!(&side.shape, Shape::Polyline(points) if points.len() > 2);
+        let weld = self.assembly.weld;
+        RimSource {
+            sampled: self.assembly.sides.iter().any(is_sampled),
+            welded: weld.count,
+            moved: weld.largest,
+        }
+    }
+
+    /// The experiment that does what `fill` does, but for the mesh: loops or faces over curves, sampled ones to be met within the
+    /// tolerance.
+    ///
+    /// # Errors
+    /// [`ImportError::Plan`].
+    pub fn experiment(&self, title: &str, fill: &Fill) -> Result<String, ImportError> {
+        let notes: Vec<&str> = self.told.iter().chain(self.notes()).map(String::as_str).collect();
+        checked(printed::assembly(title, &self.assembly, &self.options, fill, &notes))
+    }
+}

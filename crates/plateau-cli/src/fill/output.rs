@@ -1,0 +1,119 @@
+//! The files that `fill` writes.
+
+use std::path::{Path, PathBuf};
+
+use exchange::{Format, LengthUnit};
+use experiment::{Filling, Options, Plan};
+use plateau::{Fill, Film};
+use record::{Destination, ExportError, ResultFile};
+
+use crate::failure::Failure;
+use crate::terminal::say;
+
+/// A surface with how it came about.
+pub(super) struct Filled<'a> {
+    pub(super) filling: &'a Filling,
+    pub(super) fill: &'a Fill,
+    pub(super) film: &'a Film,
+    pub(super) title: &'a str,
+}
+
+/// What is written.
+enum Wanted {
+    Surface(Format),
+    Experiment,
+    /// What `run` makes of the experiment.
+    Result,
+    /// The page of that.
+    Page,
+}
+
+/// A file to write.
+pub(super) struct Output {
+    wanted: Wanted,
+    to: Destination,
+}
+
+impl Output {
+    /// What the extension of `path` asks for; its place is none of the files that are read.
+    pub(super) fn named(path: &Path, inputs: &[PathBuf]) -> Result<Self, Failure> {
+        let refused = |why: String| Failure::of_input(path.display(), why);
+        let extension =
+            path.extension().map(|end| end.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+        let wanted = match Format::of_extension(&extension) {
+            Some(format) => Wanted::Surface(format),
+            None if extension == "toml" => Wanted::Experiment,
+            None if extension == "json" => Wanted::Result,
+            None if extension == "html" => Wanted::Page,
+            None => {
+                let known: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+                let known = known.join(", ");
+                let why = format!(
+                    "files are written by their extension: {known}, stp for a surface, toml for the experiment, json for its result, \
+                     html for its page; pictures are made by `plateau run` of the experiment"
+                );
+                return Err(refused(why));
+            }
+        };
+        let to = Destination::named(path).map_err(|error| refused(format!("cannot be written: {error}")))?;
+        match inputs.iter().find(|input| to.replaces(input)) {
+            Some(_) => {
+                Err(refused("is a file that is read, and would be replaced: give -o another name".into()))
+            }
+            None => Ok(Self { wanted, to }),
+        }
+    }
+
+    /// Writes the file and says so, or why not; whether it is written.
+    pub(super) fn written(&self, filled: &Filled<'_>, unit: LengthUnit, name: &str) -> Result<bool, Failure> {
+        let Self { wanted, to } = self;
+        let text = |text: String| record::write_text(&text, to).map(|()| None).map_err(ExportError::from);
+        let experiment = || filled.filling.experiment(filled.title, filled.fill);
+        let experiment = || experiment().map_err(|error| Failure::of_input(name, error));
+        let written = match wanted {
+            Wanted::Surface(format) => {
+                let surface = (&filled.film.complex, &filled.film.mesh.mesh);
+                let form = record::export_complex(*format, filled.title, surface, unit, to);
+                form.map(|form| form.map(|form| form.description + &said(*format, unit)))
+            }
+            Wanted::Experiment => text(experiment()?),
+            Wanted::Result | Wanted::Page => text(
+                ran(filled.title, &experiment()?, wanted).map_err(|error| Failure::of_input(name, error))?,
+            ),
+        };
+        match written {
+            Ok(Some(form)) => say(&format!("{}: {form}", to.path().display())),
+            Ok(None) => say(&to.path().display().to_string()),
+            Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
+                say(&format!("error: {error}"));
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+/// What a program that reads the file takes its numbers for, where that is not left open.
+fn said(format: Format, unit: LengthUnit) -> String {
+    match unit {
+        _ if format != Format::Step => String::new(),
+        LengthUnit::Millimetre => {
+            "; CAD programs take its numbers for millimetres, --unit says what they are".into()
+        }
+        LengthUnit::Centimetre | LengthUnit::Metre | LengthUnit::Inch | LengthUnit::Foot => {
+            format!("; its numbers are {}", unit.plural())
+        }
+    }
+}
+
+/// What comes of an experiment that is run: its record, or the page.
+fn ran(title: &str, text: &str, wanted: &Wanted) -> Result<String, Box<dyn std::error::Error>> {
+    let plan = Plan::parse(&format!("{title}.toml"), text)?;
+    let finished = experiment::run(&plan, Options::default(), &())?;
+    match wanted {
+        Wanted::Page => Ok(record::report(&plan, &finished)),
+        Wanted::Surface(_) | Wanted::Experiment | Wanted::Result => {
+            Ok(ResultFile::new(&plan, &finished).to_json()?)
+        }
+    }
+}
