@@ -33,7 +33,7 @@ fn assert_area(name: &str, film: &Film, exact: f64, relative: f64) {
     // That the gains of higher degrees do not fall off says nothing against the area.
     let is_sound = film.warnings.iter().all(|warning| matches!(warning, Warning::NoEstimate(_)));
     assert!(area.settled && is_sound, "{name}: {area:?} {:?}", film.warnings);
-    let found = film.extremal.unwrap();
+    let found = film.extremal.as_ref().unwrap();
     assert_eq!(found.end, AreaEnd::Stationary, "{name}");
     assert!((found.area.value - area.value).abs() <= found.area.error + area.error, "{name}");
 }

@@ -81,7 +81,7 @@ impl StoredResult {
 type Made = Result<(Surface, Family), String>;
 
 /// The name of a method and what it made.
-fn method(entry: Value, place: &str) -> Result<(String, Made), ReadError> {
+pub(crate) fn method(entry: Value, place: &str) -> Result<(String, Made), ReadError> {
     let key = |name: &str| format!("{place}.{name}");
     let head: Head = typed(&entry, place)?;
     let name = required(head.name, &key("name"))?;

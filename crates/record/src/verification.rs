@@ -14,6 +14,7 @@ use plateau::{Arithmetic, MethodError, Progress};
 
 mod compare;
 mod difference;
+mod mode;
 
 pub use difference::{Difference, Level, Verified};
 
@@ -153,7 +154,12 @@ fn entries(stored: &mut Value, mut computed: Value, level: &Level) -> Vec<Verifi
         let [theirs, ours] = [&theirs, &ours].map(|methods| methods.get(k).unwrap_or(&Value::Null));
         let name = |method: &Value| method.get("name").and_then(Value::as_str).map(str::to_owned);
         let name = name(ours).or(name(theirs)).unwrap_or_else(|| format!("methods[{k}]"));
-        entries.push(compared(name, theirs, ours, level, figures));
+        let mut entry = compared(name, theirs, ours, level, figures);
+        if *level != Level::Bits && theirs.pointer("/area_extremal/mode").is_some() {
+            entry.compared += 1;
+            entry.differences.extend(mode::contradiction(theirs));
+        }
+        entries.push(entry);
     }
     let [theirs, ours] = [&mut *stored, &mut computed].map(|r| r.get_mut("curve").map(Value::take));
     if theirs.is_some() || ours.is_some() {

@@ -33,10 +33,10 @@ impl Fill {
     ) -> Result<Accurate, MethodError> {
         let (mut before, mut may_layer, mut note) = (None, solution.layers == 0, None);
         loop {
-            let Some(found) = solution.extremal else {
+            let Some(found) = &solution.extremal else {
                 return Ok(Accurate { solution, estimate: None, note });
             };
-            let estimate = estimate_complex(&solution.complex, &found, progress)?;
+            let estimate = estimate_complex(&solution.complex, found, progress)?;
             if estimate.is_ok_and(|estimate| estimate <= accuracy * found.area.value) {
                 return Ok(Accurate { solution, estimate: Some(estimate), note });
             }

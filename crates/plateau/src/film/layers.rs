@@ -21,7 +21,8 @@ impl Fill {
         let is_minimum = |found: &AreaExtremal| {
             found.end == AreaEnd::Stationary && found.second_variation.is_none_or(|least| least >= 0.0)
         };
-        let Some(coarse) = solution.extremal.filter(|found| is_minimum(found) && !corners.is_empty()) else {
+        let is_coarse = |found: &&AreaExtremal| is_minimum(found) && !corners.is_empty();
+        let Some(coarse) = solution.extremal.as_ref().filter(is_coarse) else {
             return Ok(solution);
         };
         // What cannot be made, or is singular, costs nothing that was found.

@@ -20,12 +20,13 @@ pub(super) struct Solution {
 impl Solution {
     /// The area, where it was minimised.
     pub(super) fn area(&self) -> Option<f64> {
-        self.extremal.map(|found| found.area.value)
+        self.extremal.as_ref().map(|found| found.area.value)
     }
 
     /// Whether there is no reason to cut in another way: stationary, and even to this ratio.
     pub(super) fn is_sound(&self, ratio: f64) -> bool {
-        self.seams.is_even(ratio) && self.extremal.is_none_or(|found| found.end == AreaEnd::Stationary)
+        self.seams.is_even(ratio)
+            && self.extremal.as_ref().is_none_or(|found| found.end == AreaEnd::Stationary)
     }
 
     /// Whether it is to be preferred: it does not fold where the other does, else has less area, or is more even where no

@@ -5,7 +5,7 @@ use energy::{Cell, ProductCell};
 use surfaces::{Complex, Net, Patch, Point, Product, TensorPatch, discrete_coons};
 
 use super::family::{Family, curve_nodes, displaced, inner_curve, net_nodes, of_nets};
-use super::space::{Frame, Space, Topology};
+use super::space::{Frame, Space, Topology, of_values};
 use crate::MethodError;
 
 /// Complexes with the faces, edges and fixed points of one.
@@ -32,11 +32,13 @@ impl<'a> Glued<'a> {
                 complex.edge_nodes(number).into_iter().for_each(|node| joint[node] = true);
             }
         }
+        let orientation = complex.orientation();
         let topology = Topology {
             cells: complex.faces().iter().map(|face| face.nodes().to_vec()).collect(),
             fixed: complex.fixed().to_vec(),
             skeleton: complex.skeleton(),
             joint,
+            flipped: orientation.torn().is_empty().then(|| orientation.flipped().to_vec()),
         };
         let mut space = Self { complex, frame, family, topology, start: Vec::new() };
         space.start = space.nodes(complex)?;
@@ -45,12 +47,17 @@ impl<'a> Glued<'a> {
 
     /// The control points, in the frame, of the surface with the points `x` at the nodes.
     fn control(&self, x: &[Point]) -> Result<Vec<Point>, MethodError> {
-        let degree = self.complex.degree();
         let fixed = self.complex.fixed();
         let mut points: Vec<Point> = x.to_vec();
         for (k, &point) in self.complex.points().iter().enumerate().filter(|(k, _)| fixed[*k]) {
             points[k] = self.frame.enter(point);
         }
+        self.with_free(points, x)
+    }
+
+    /// `points` with what is free of them such that the points at the nodes are `x`.
+    fn with_free(&self, mut points: Vec<Point>, x: &[Point]) -> Result<Vec<Point>, MethodError> {
+        let degree = self.complex.degree();
         for (number, edge) in self.complex.edges().iter().enumerate().filter(|(_, edge)| !edge.is_fixed()) {
             debug_assert!(!edge.uses().is_empty());
             let nodes = self.complex.edge_nodes(number);
@@ -140,6 +147,12 @@ impl Space for Glued<'_> {
             }
         }
         Ok(self.complex.with_points(points)?)
+    }
+
+    fn coefficients(&self, f: &[f64]) -> Result<Vec<f64>, MethodError> {
+        let values: Vec<Point> = f.iter().map(|&f| Point::new(f, 0.0, 0.0)).collect();
+        let control = self.with_free(values.clone(), &values)?;
+        Ok(of_values(f, |_| control, &self.topology.fixed))
     }
 
     fn control(&self) -> Result<Matrix, MethodError> {

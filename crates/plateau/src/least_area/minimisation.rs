@@ -3,6 +3,7 @@
 use energy::Integral;
 use surfaces::Point;
 
+use super::Mode;
 use super::assembly::Assembly;
 use super::descent::{Descent, LOOSE, Reached};
 use super::outcome::{AreaExtremal, Stage, Start};
@@ -71,10 +72,12 @@ pub(super) fn minimise<S: Space>(
         (*best, left_saddle) = (lower, true);
     }
     let gradients = descent.gradients(&best.surface)?;
-    let second_variation = variation.map(|v| v.smallest);
-    let found = extremal(&descent, best, lowest.start, gradients, second_variation, left_saddle);
+    let found = extremal(&descent, best, lowest.start, gradients, left_saddle);
     let jacobian_ratio = best.surface.fine.evenness;
-    Ok((space.surface(&best.surface.x)?, AreaExtremal { from, jacobian_ratio, ..found }))
+    let second_variation = variation.as_ref().map(|v| v.smallest);
+    let mode = variation.map(|v| space.coefficients(&v.displacement)).transpose()?.and_then(Mode::new);
+    let found = AreaExtremal { from, jacobian_ratio, second_variation, mode, ..found };
+    Ok((space.surface(&best.surface.x)?, found))
 }
 
 /// The lowest end of descents, and the area of the surface it began from.
@@ -141,11 +144,11 @@ fn leave_saddle<S: Space>(
 ) -> Result<Option<Reached>, MethodError> {
     let normals = descent.normals(&saddle.surface.x)?;
     let mut directions = vec![Point::ZERO; saddle.surface.x.len()];
-    let free = (0..saddle.surface.x.len()).filter(|&node| !descent.rules.space.topology().fixed[node]);
+    let sides = descent.rules.space.topology().sides();
     // Displacements are along the normals: nodes on lines of three cells have none, and stay.
-    for (node, f) in free.zip(&variation.displacement) {
+    for (node, f) in variation.displacement.iter().enumerate() {
         if let [normal] = normals[node].directions() {
-            directions[node] = *normal * *f;
+            directions[node] = *normal * (*f * sides[node]);
         }
     }
     let largest = directions.iter().map(|d| d.norm()).fold(0.0, f64::max);
@@ -179,7 +182,6 @@ fn extremal<S: Space>(
     reached: &Reached,
     start: f64,
     [gradient, whole_gradient]: [f64; 2],
-    second_variation: Option<f64>,
     left_saddle: bool,
 ) -> AreaExtremal {
     let square = descent.rules.space.frame().unit().powi(2);
@@ -206,7 +208,8 @@ fn extremal<S: Space>(
         end: reached.end,
         valley: reached.valley,
         jacobian_ratio: 0.0,
-        second_variation,
+        second_variation: None,
+        mode: None,
         left_saddle,
         given_up: reached.beyond.max(0.0) * square,
     }

@@ -13,6 +13,7 @@ mod descent;
 mod estimate;
 mod family;
 mod minimisation;
+mod mode;
 mod normal_steps;
 mod outcome;
 mod raised;
@@ -33,6 +34,7 @@ pub use estimate::{
     AreaEstimate, NoEstimate, estimate_complex, estimate_net, estimate_triangle, excess_of_complex,
     excess_of_net, excess_of_triangle,
 };
+pub use mode::Mode;
 pub use outcome::{AreaEnd, AreaExtremal, Stage, Start, ValleyEnd};
 pub use raised::{least_area_raised, least_area_triangle_raised};
 

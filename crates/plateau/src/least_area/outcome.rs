@@ -4,8 +4,10 @@ use std::fmt;
 
 use energy::Integral;
 
+use super::Mode;
+
 /// What is known of a net of least area.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct AreaExtremal {
     /// The area, with the error the rule was found to make (unit: length²).
     pub area: Integral,
@@ -40,9 +42,11 @@ pub struct AreaExtremal {
     pub jacobian_ratio: f64,
     /// The smallest value of `∫ (|∇f|² + 2 K f²) dA / ∫ |∇f|² dA` over displacements f N along the unit normal, f one of the
     /// functions of the net that vanish on the border: the second variation of the area. Dimensionless, at most 1 where
-    /// K ≤ 0; positive for a stable minimum, negative for a saddle. An upper bound of its value over all f. None if no point
-    /// is free, or where the surface is singular or nearly.
+    /// K ≤ 0; positive for a stable minimum, negative for a saddle. An upper bound of its value over all f. Lines where three or
+    /// more patches meet are held. None if no point is free, where the surface is singular or nearly, or one-sided.
     pub second_variation: Option<f64>,
+    /// The displacement that has it: how the surface gives way most easily.
+    pub mode: Option<Mode>,
     /// Whether a saddle was met and left along its negative direction.
     pub left_saddle: bool,
     /// The area that was given up so that no control point lies far from the border and the parametrisation stays even (unit:

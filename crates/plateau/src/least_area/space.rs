@@ -34,6 +34,10 @@ pub(super) trait Space {
     /// The surface with these points at the nodes; its border is as given, to the last bit.
     fn surface(&self, x: &[Point]) -> Result<Self::Surface, MethodError>;
 
+    /// The function with the values `f` at the nodes, 0 at fixed ones, in the functions of the surface: one coefficient a
+    /// control point.
+    fn coefficients(&self, f: &[f64]) -> Result<Vec<f64>, MethodError>;
+
     /// The matrix from the points of a cell at its nodes to its control points: (nodes)².
     fn control(&self) -> Result<Matrix, MethodError>;
 
@@ -56,13 +60,37 @@ pub(super) struct Topology {
     pub(super) skeleton: usize,
     /// For every node whether it lies on a line where three or more cells meet: there is no normal.
     pub(super) joint: Vec<bool>,
+    /// For every cell whether its normal is to be turned round to agree with those of its neighbours; none if no choice of sides agrees.
+    pub(super) flipped: Option<Vec<bool>>,
 }
 
 impl Topology {
     /// A single cell whose nodes are numbered as its own.
     pub(super) fn single(fixed: Vec<bool>) -> Self {
         let count = fixed.len();
-        Self { cells: vec![(0..count).collect()], skeleton: 0, joint: vec![false; count], fixed }
+        Self {
+            cells: vec![(0..count).collect()],
+            skeleton: 0,
+            joint: vec![false; count],
+            flipped: Some(vec![false]),
+            fixed,
+        }
+    }
+
+    /// The same with the nodes on lines where three or more cells meet held.
+    pub(super) fn with_joints_held(&self) -> Self {
+        let fixed = self.fixed.iter().zip(&self.joint).map(|(fixed, joint)| *fixed || *joint).collect();
+        Self { fixed, ..self.clone() }
+    }
+
+    /// For every node the side of the first cell it belongs to: 1, or −1 where that is turned round.
+    pub(super) fn sides(&self) -> Vec<f64> {
+        let mut sides = vec![1.0; self.fixed.len()];
+        let flipped = |cell: usize| self.flipped.as_ref().is_some_and(|flipped| flipped[cell]);
+        for (k, cell) in self.cells.iter().enumerate().rev() {
+            cell.iter().for_each(|&node| sides[node] = if flipped(k) { -1.0 } else { 1.0 });
+        }
+        sides
     }
 
     /// The points of a cell.
@@ -83,6 +111,12 @@ impl Topology {
     pub(super) fn free(&self, cell: usize) -> Vec<bool> {
         self.cells[cell].iter().map(|&node| !self.fixed[node]).collect()
     }
+}
+
+/// The coefficients of the function with the values `f` at the nodes, by what `convert` does to points; 0 at fixed ones.
+pub(super) fn of_values(f: &[f64], convert: impl FnOnce(&[Point]) -> Vec<Point>, fixed: &[bool]) -> Vec<f64> {
+    let values: Vec<Point> = f.iter().map(|&f| Point::new(f, 0.0, 0.0)).collect();
+    convert(&values).iter().zip(fixed).map(|(p, fixed)| if *fixed { 0.0 } else { p.x }).collect()
 }
 
 /// Coordinates in which the border begins at the origin and is about 1 in size: what is computed in them does not depend on

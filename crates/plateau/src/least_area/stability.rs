@@ -2,7 +2,7 @@
 
 use surfaces::{Jet, Patch};
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, Unknowns};
 use super::descent::Descent;
 use super::rules::Known;
 use super::space::Space;
@@ -18,7 +18,7 @@ const EVEN: f64 = 1e-7;
 /// Multiples of this are spread evenly modulo 1.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
-/// The smallest second variation with the displacement along the normals that has it: a number a node.
+/// The smallest second variation with the displacement along the normals that has it: a number a node, 0 where none may move.
 #[derive(Debug, Clone)]
 pub(super) struct Variation {
     pub(super) smallest: f64,
@@ -27,14 +27,16 @@ pub(super) struct Variation {
 
 impl<S: Space> Descent<'_, '_, S> {
     /// The smallest value of `∫ (|∇f|² + 2 K f²) dA / ∫ |∇f|² dA`; none if no node is free, or where the surface is singular
-    /// or nearly, so that its curvature is rounding.
+    /// or nearly, so that its curvature is rounding. Where three cells meet no f is the same on all of them but 0: such lines are held. A one-sided
+    /// surface has no normal that f could go along.
     pub(super) fn variation(&mut self, here: &Known) -> Result<Option<Variation>, MethodError> {
-        if self.scalar.count() == 0 {
+        let space = self.rules.space;
+        let topology = &space.topology().with_joints_held();
+        let scalar = Unknowns::scalar(topology)?;
+        if scalar.count() == 0 || topology.flipped.is_none() {
             return Ok(None);
         }
-        let space = self.rules.space;
         let (cell, tangents) = self.rough(here)?;
-        let topology = space.topology();
         let assembly = Assembly { topology, cell: cell.as_ref() };
         let (_, ratio) = assembly.measure(&tangents);
         if ratio.is_nan() || ratio <= EVEN {
@@ -51,7 +53,6 @@ impl<S: Space> Descent<'_, '_, S> {
             curvatures.push(cell.mass(&topology.free(k), &factors));
         }
         let metrics = assembly.metrics(&tangents)?;
-        let scalar = &self.scalar;
         let factor = match scalar.condensation().factor(&metrics) {
             Ok(factor) => factor,
             Err(SolveError::NotPositiveDefinite { .. }) => return Ok(None),
@@ -78,7 +79,12 @@ impl<S: Space> Descent<'_, '_, S> {
         // Without any symmetry, so that none of the displacements is missed.
         let start: Vec<f64> = (0..scalar.count()).map(|k| 1.0 + (k as f64 * GOLDEN).fract()).collect();
         let found = smallest_eigenpair(&start, LANCZOS, apply, invert)?;
-        Ok(found.map(|pair| Variation { smallest: 1.0 + pair.value, displacement: pair.vector }))
+        Ok(found.map(|pair| {
+            let mut displacement = vec![0.0; topology.fixed.len()];
+            let free = displacement.iter_mut().zip(&topology.fixed).filter(|(_, fixed)| !**fixed);
+            free.zip(pair.vector).for_each(|((f, _), value)| *f = value);
+            Variation { smallest: 1.0 + pair.value, displacement }
+        }))
     }
 }
 

@@ -7,7 +7,7 @@ use energy::{Cell, EnergyError, ProductCell, SampledCell};
 use surfaces::{Net, Patch, Point, Product, TensorPatch, discrete_coons};
 
 use super::family::{Family, displaced, inverse, net_nodes, of_nets};
-use super::space::{Frame, Space, Topology};
+use super::space::{Frame, Space, Topology, of_values};
 use crate::MethodError;
 
 /// The net of the discrete Coons patch of a border, in the frame of the border.
@@ -108,6 +108,11 @@ impl Space for Separated {
         // Displacements from the base are converted, not points: the border keeps its last bit.
         let inner = displaced([&self.u, &self.v], &self.base, &self.base_nodes, x);
         with_inner(&self.patch, &self.frame, &inner)
+    }
+
+    fn coefficients(&self, f: &[f64]) -> Result<Vec<f64>, MethodError> {
+        let zero = vec![Point::ZERO; f.len()];
+        Ok(of_values(f, |x| displaced([&self.u, &self.v], &zero, &zero, x), &self.topology.fixed))
     }
 
     fn control(&self) -> Result<Matrix, MethodError> {
@@ -232,6 +237,10 @@ impl Space for Sums {
     fn surface(&self, x: &[Point]) -> Result<TensorPatch, MethodError> {
         // The inverse moves border points by rounding: only the inner ones are taken.
         with_inner(&self.patch, &self.frame, &times(&self.back, x))
+    }
+
+    fn coefficients(&self, f: &[f64]) -> Result<Vec<f64>, MethodError> {
+        Ok(of_values(f, |x| times(&self.back, x), &self.topology.fixed))
     }
 
     fn control(&self) -> Result<Matrix, MethodError> {

@@ -7,7 +7,7 @@ use energy::{Cell, PiecedCell, Pieces, Quadrilateral, SampledCell};
 use surfaces::{Patch, Point, SurfaceError, TriangleBasis, TriangleNet, TrianglePatch};
 
 use super::family::inverse;
-use super::space::{Frame, Space, Topology};
+use super::space::{Frame, Space, Topology, of_values};
 use super::tensor::times;
 use crate::{MethodError, memory};
 
@@ -128,6 +128,10 @@ impl Space for Triangular {
             }
         }
         Ok(TrianglePatch::new(self.net.with_coordinates(&coordinates)?)?)
+    }
+
+    fn coefficients(&self, f: &[f64]) -> Result<Vec<f64>, MethodError> {
+        Ok(of_values(f, |x| times(&self.back, x), &self.topology.fixed))
     }
 
     fn control(&self) -> Result<Matrix, MethodError> {

@@ -1,8 +1,9 @@
 //! What `result.json` says of the way to a least area.
 
-use plateau::AreaExtremal;
+use plateau::{AreaExtremal, Surface};
 use serde::{Deserialize, Serialize};
 
+use super::mode::ModeEntry;
 use super::number::finite;
 
 /// The way to the least area: where it began, how it ended, whether it is stable.
@@ -16,6 +17,9 @@ pub(super) struct AreaEntry {
     reason: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     second_variation: Option<f64>,
+    /// The displacement that has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    mode: Option<ModeEntry>,
     /// What surface it began with.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     start: Option<String>,
@@ -50,8 +54,9 @@ impl From<plateau::Stage> for StageEntry {
     }
 }
 
-impl From<AreaExtremal> for AreaEntry {
-    fn from(found: AreaExtremal) -> Self {
+impl AreaEntry {
+    /// How `surface` was found.
+    pub(super) fn new(found: &AreaExtremal, surface: &Surface) -> Self {
         Self {
             start_area: found.start,
             gradient: finite(found.gradient),
@@ -59,6 +64,7 @@ impl From<AreaExtremal> for AreaEntry {
             evaluations: found.evaluations,
             reason: found.reason(),
             second_variation: found.second_variation.and_then(finite),
+            mode: found.mode.as_ref().and_then(|mode| ModeEntry::of(mode, surface)),
             start: Some(found.from.to_string()),
             whole_gradient: finite(found.whole_gradient),
             stages: Some(Stages {

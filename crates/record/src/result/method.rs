@@ -173,7 +173,8 @@ impl MethodEntry {
         self.condition = solve.and_then(|s| finite(s.condition));
         self.basis_condition = solve.and_then(|s| s.basis_condition).and_then(finite);
         self.certified = solve.and_then(|s| s.certified);
-        self.area_extremal = done.solved.area.map(AreaEntry::from);
+        self.area_extremal =
+            done.solved.area.as_ref().map(|found| AreaEntry::new(found, &done.solved.surface));
     }
 
     /// What keeps a comparison with other surfaces honest: borders, rims, folds, what lies below the area.
