@@ -72,6 +72,47 @@ fn films_are_drawn_patch_by_patch() {
     assert!(report.contains("Gauss curvature"));
 }
 
+/// The results of the catenoid of the gallery.
+fn catenoid() -> plateau::Results {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/gallery/catenoid.toml");
+    let plan = Plan::parse("catenoid.toml", &fs::read_to_string(path).unwrap()).unwrap();
+    run(&plan, Options::default(), &()).unwrap().results
+}
+
+#[test]
+fn an_unstable_least_area_shows_how_it_gives_way() {
+    let mut results = catenoid();
+    let about = || show::About {
+        file: "catenoid.toml",
+        text: "",
+        seed: 0,
+        comparisons: Vec::new(),
+        files: Vec::new(),
+        origin: Vec::new(),
+    };
+    let shown = |results: &plateau::Results| {
+        let scene = show::Scene::of(results);
+        let pictures = show::pictures(results, scene.as_ref());
+        let page = show::page(results, &about(), scene.as_ref(), &pictures);
+        let json = page.split("id=\"surfaces\">").nth(1).unwrap().split("</script>").next().unwrap();
+        (pictures, serde_json::from_str::<serde_json::Value>(json).unwrap())
+    };
+    let (pictures, data) = shown(&results);
+    assert!(pictures.iter().all(|picture| picture.name != "mode"));
+    // A stable one is shown plain, its mode for those who ask.
+    let mode = data["mode"].as_u64().expect("a mode") as usize;
+    assert!(data["field"].is_null() && data["fields"][mode]["label"] == "mode", "{}", data["field"]);
+    assert!(data["surfaces"][0]["caption"].as_str().unwrap().ends_with(": stable"));
+    let done = results.methods[0].outcome.as_mut().unwrap();
+    done.solved.area.as_mut().unwrap().second_variation = Some(-0.125);
+    let (pictures, data) = shown(&results);
+    let picture = pictures.iter().find(|picture| picture.name == "mode").expect("a picture");
+    assert!(picture.svg.contains("unstable: second variation −0.125"), "{}", picture.caption);
+    well_formed(&picture.svg);
+    assert_eq!(data["field"].as_u64(), Some(mode as u64));
+    assert!(data["surfaces"][0]["caption"].as_str().unwrap().ends_with("second variation −0.125: unstable"));
+}
+
 /// XML whose elements nest, whose attributes are quoted, and whose numbers are all finite.
 fn well_formed(svg: &str) {
     let mut open: Vec<&str> = Vec::new();

@@ -29,6 +29,8 @@
   const floats = (text) => new Float32Array(bytes(text).buffer);
   const NONE = 1e9; // a vertex without a value
   const FOCAL = 1 / Math.tan(0.25);
+  const RIBBON = 14; // numbers of a corner of a ribbon
+  const SWING = 0.2; // how far a mode swings, in units of the radius of the scene
 
   const places = (text) => new Uint16Array(bytes(text).buffer);
 
@@ -42,7 +44,7 @@
       const place = chart.triangle
         ? (a, b) => a * (nu + 1) - (a * (a - 1)) / 2 + b
         : (a, b) => a * (nv + 1) + b;
-      const at = own ? (a, b) => own[place(a, b)] : place;
+      const at = own ? (a, b) => own[place(a, b)] : place, first = faces.length;
       if (chart.triangle) {
         for (let a = 0; a < nu; a++)
           for (let b = 0; b < nu - a; b++) {
@@ -61,6 +63,9 @@
         for (let a = 4; a < nu; a += 4) line(range(nv).map((b) => at(a, b)));
         for (let b = 4; b < nv; b += 4) line(range(nu).map((a) => at(a, b)));
       }
+      // All faces of a side that has two look to the same.
+      if (chart.flipped)
+        for (let f = first; f < faces.length; f += 3) [faces[f + 1], faces[f + 2]] = [faces[f + 2], faces[f + 1]];
     }
     return { faces: new Uint16Array(faces), wires };
   }
@@ -104,6 +109,11 @@
     return sum;
   }
 
+  // How far the points swing by a mode whose largest displacement is 1.
+  function swung(points, normals, values) {
+    return points.map((_, k) => SWING * normals[k] * values[Math.floor(k / 3)]);
+  }
+
   // ---- buffers and programs ------------------------------------------------------------------------------------------
   function buffer(array, target = gl.ARRAY_BUFFER) {
     const id = gl.createBuffer();
@@ -112,13 +122,14 @@
     return id;
   }
 
-  // Segments as ribbons of constant width on the screen: both ends, which end, which side.
-  function ribbons(points, pairs) {
+  // Segments as ribbons of constant width on the screen: both ends, which end, which side, and how far the ends swing.
+  function ribbons(points, pairs, swings) {
     const vertices = [], index = [];
+    const of = (list, k) => (list ? [list[3 * k], list[3 * k + 1], list[3 * k + 2]] : [0, 0, 0]);
     for (let s = 0; s < pairs.length; s += 2) {
-      const [p, q] = [pairs[s], pairs[s + 1]].map((k) => [points[3 * k], points[3 * k + 1], points[3 * k + 2]]);
-      const first = vertices.length / 8;
-      for (const [end, side] of [[0, -1], [0, 1], [1, -1], [1, 1]]) vertices.push(...p, ...q, end, side);
+      const ends = [pairs[s], pairs[s + 1]], first = vertices.length / RIBBON;
+      const [p, q] = ends.map((k) => of(points, k)), [d, e] = ends.map((k) => of(swings, k));
+      for (const [end, side] of [[0, -1], [0, 1], [1, -1], [1, 1]]) vertices.push(...p, ...q, end, side, ...d, ...e);
       index.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
     }
     return {
@@ -152,9 +163,11 @@
   }
 
   const skin = program(
-    `attribute vec3 point, normal; attribute float value; uniform mat4 matrix; uniform mat3 turn;
-     varying vec3 n; varying float t;
-     void main() { n = turn * normal; t = value; gl_Position = matrix * vec4(point, 1.0); }`,
+    `attribute vec3 point, normal, swing, lean; attribute float value; uniform mat4 matrix; uniform mat3 turn;
+     uniform float phase; varying vec3 n; varying float t;
+     void main() {
+       n = turn * (normal + phase * lean); t = value; gl_Position = matrix * vec4(point + phase * swing, 1.0);
+     }`,
     `precision highp float; varying vec3 n; varying float t;
      uniform sampler2D scale; uniform vec3 none; uniform float low; uniform bool plain; uniform vec3 paint;
      void main() {
@@ -167,9 +180,10 @@
        gl_FragColor = vec4(c * light + shine, 1.0);
      }`);
   const ink = program(
-    `attribute vec3 from, to; attribute vec2 corner; uniform mat4 matrix; uniform vec2 size; uniform float width;
+    `attribute vec3 from, to, fromSwing, toSwing; attribute vec2 corner;
+     uniform mat4 matrix; uniform vec2 size; uniform float width, phase;
      void main() {
-       vec4 p = matrix * vec4(from, 1.0), q = matrix * vec4(to, 1.0);
+       vec4 p = matrix * vec4(from + phase * fromSwing, 1.0), q = matrix * vec4(to + phase * toSwing, 1.0);
        vec2 along = (q.xy / q.w - p.xy / p.w) * size;
        float length = max(sqrt(dot(along, along)), 1e-6);
        vec2 across = vec2(-along.y, along.x) / length * width / size;
@@ -191,6 +205,8 @@
 
   const surfaces = data.surfaces.map((surface) => {
     const points = floats(surface.points), { faces, wires } = grid(surface);
+    const outward = normals(points, faces), swings = surface.swings && swung(points, outward, floats(surface.values[data.mode]));
+    const lean = swings && normals(points.map((x, k) => x + swings[k]), faces).map((x, k) => x - outward[k]);
     const all = floats(surface.net.points), edges = places(surface.net.edges);
     const near = [...surface.net.boundary.keys()].filter((k) =>
       Math.hypot(all[3 * k], all[3 * k + 1], all[3 * k + 2]) <= REACH);
@@ -201,15 +217,17 @@
       points,
       faces,
       vertices: buffer(points),
-      normals: buffer(normals(points, faces)),
+      normals: buffer(outward),
+      swing: swings && buffer(swings),
+      lean: lean && buffer(lean),
       index: buffer(faces, gl.ELEMENT_ARRAY_BUFFER),
       count: faces.length,
       fields: surface.values.map((text) =>
         buffer(floats(text).map((x) => (Number.isNaN(x) ? NONE : Math.max(-1e5, Math.min(1e5, x)))))),
-      wires: ribbons(points, wires),
-      rim: ribbons(points, segments(surface, "rim")),
-      borders: ribbons(points, segments(surface, "border")),
-      kinks: ribbons(points, segments(surface, "kink")),
+      wires: ribbons(points, wires, swings),
+      rim: ribbons(points, segments(surface, "rim"), swings),
+      borders: ribbons(points, segments(surface, "border"), swings),
+      kinks: ribbons(points, segments(surface, "kink"), swings),
       edges: ribbons(lines.points, lines.pairs),
       netPoints: buffer(net),
       netEdge: buffer(Float32Array.from(near, (k) => surface.net.boundary[k])),
@@ -230,7 +248,7 @@
   // Nets that are large or of many points would hide their surface: they are drawn only when asked for.
   $("net").checked = !data.surfaces.some((surface) => surface.net.large || surface.net.many);
   const state = {
-    surface: data.best, other: -1, field: data.fields.length ? 0 : -1, net: $("net").checked, wires: $("wires").checked,
+    surface: data.best, other: -1, field: data.field ?? -1, net: $("net").checked, wires: $("wires").checked, phase: 0,
   };
   const DISTANCE = data.fields.length;
   const camera = {};
@@ -294,10 +312,13 @@
     gl.uniformMatrix4fv(ink.uniform.matrix, false, matrix);
     gl.uniform2f(ink.uniform.size, canvas.width / views(), canvas.height);
     gl.uniform1f(ink.uniform.width, width);
+    gl.uniform1f(ink.uniform.phase, state.phase);
     gl.uniform4fv(ink.uniform.colour, colour);
-    bind(ribbon.vertices, ink.attribute.from, 3, 32, 0);
-    bind(ribbon.vertices, ink.attribute.to, 3, 32, 12);
-    bind(ribbon.vertices, ink.attribute.corner, 2, 32, 24);
+    const parts = [["from", 3], ["to", 3], ["corner", 2], ["fromSwing", 3], ["toSwing", 3]];
+    parts.reduce((offset, [name, size]) => {
+      bind(ribbon.vertices, ink.attribute[name], size, 4 * RIBBON, 4 * offset);
+      return offset + size;
+    }, 0);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, ribbon.index);
     gl.drawElements(gl.TRIANGLES, ribbon.count, gl.UNSIGNED_SHORT, 0);
   }
@@ -404,6 +425,14 @@
       gl.disableVertexAttribArray(skin.attribute.value);
       gl.vertexAttrib1f(skin.attribute.value, 0);
     }
+    gl.uniform1f(skin.uniform.phase, state.phase);
+    for (const name of ["swing", "lean"]) {
+      if (surface[name]) bind(surface[name], skin.attribute[name], 3);
+      else {
+        gl.disableVertexAttribArray(skin.attribute[name]);
+        gl.vertexAttrib3f(skin.attribute[name], 0, 0, 0);
+      }
+    }
     bind(surface.vertices, skin.attribute.point, 3);
     bind(surface.normals, skin.attribute.normal, 3);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, surface.index);
@@ -414,7 +443,8 @@
     lines(surface.borders, 0.9 * ratio, [0.08, 0.12, 0.18, 0.6], matrix);
     lines(surface.kinks, 2 * ratio, dark ? [1, 0.54, 0.5, 1] : [0.7, 0.15, 0.12, 1], matrix);
     lines(surface.rim, 1.5 * ratio, dark ? [0.8, 0.84, 0.9, 0.9] : [...pen, 0.85], matrix);
-    if (state.net && surface.netCount) {
+    // Control points do not swing with their surface.
+    if (state.net && surface.netCount && !(surface.swing && state.phase)) {
       const crowded = surface.netCount > 100;
       const [width, size] = crowded ? [0.8, 4] : [1.4, 9];
       const inside = dark ? [0.11, 0.13, 0.16] : [1, 1, 1];
@@ -481,6 +511,8 @@
     const said = ({ name, caption }) => `${name}: ${caption}`;
     $("caption").textContent = other ? `Left: ${said(surface)}. Right: ${said(other)}` : said(surface);
     canvas.setAttribute("aria-label", `${surface.name}. ${$("help").textContent}`);
+    $("swing").hidden = !surface.swing && !other?.swing;
+    if ($("swing").hidden) still();
     legend();
     draw();
   }
@@ -556,7 +588,7 @@
   function colourings() {
     const entries = data.fields.map((field, k) => [field.label, k]);
     if (state.other >= 0) entries.push(["distance", DISTANCE]);
-    else if (state.field === DISTANCE) state.field = data.fields.length ? 0 : -1;
+    else if (state.field === DISTANCE) state.field = data.field ?? -1;
     choices($("fields"), "field", [...entries, ["plain", -1]], state.field, (k) => {
       state.field = k;
       legend();
@@ -569,6 +601,33 @@
       state[name] = $(name).checked;
       draw();
     });
+
+  // ---- the swing of a mode ----------------------------------------------------------------------------------------------------
+  const PERIOD = 2400; // milliseconds
+  let swinging = 0;
+  function still() {
+    cancelAnimationFrame(swinging);
+    swinging = 0;
+    state.phase = 0;
+    $("swing").setAttribute("aria-pressed", "false");
+    draw();
+  }
+  function swing() {
+    const begun = performance.now();
+    const on = (now) => {
+      state.phase = Math.sin((2 * Math.PI * Math.max(0, now - begun)) / PERIOD);
+      draw();
+      swinging = requestAnimationFrame(on);
+    };
+    $("swing").setAttribute("aria-pressed", "true");
+    // Where motion is not wanted, the surface stands at one end of its swing.
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      state.phase = 1;
+      draw();
+    } else swinging = requestAnimationFrame(on);
+  }
+  const swingOrNot = () => ($("swing").hidden ? 0 : $("swing").getAttribute("aria-pressed") === "true" ? still() : swing());
+  $("swing").addEventListener("click", swingOrNot);
 
   // ---- pointer, wheel, keyboard -----------------------------------------------------------------------------------------------
   const reset = () => {
@@ -645,6 +704,7 @@
     ArrowLeft: () => rotate(-0.1, 0), ArrowRight: () => rotate(0.1, 0),
     ArrowUp: () => rotate(0, -0.1), ArrowDown: () => rotate(0, 0.1),
     "+": () => zoom(0.9), "=": () => zoom(0.9), "-": () => zoom(1 / 0.9), "0": reset, Home: reset,
+    m: swingOrNot,
   };
   canvas.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;

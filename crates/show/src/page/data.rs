@@ -29,6 +29,7 @@ fn scene_value(scene: &Scene<'_>) -> Value {
                 "label": match field {
                     Field::Mean | Field::Gauss | Field::Laplacian => field.symbol(),
                     Field::Conformality => "conformality",
+                    Field::Mode => "mode",
                 },
                 "unit": field.unit(),
                 "signed": field.is_signed(),
@@ -41,12 +42,19 @@ fn scene_value(scene: &Scene<'_>) -> Value {
         let colours: Vec<u8> = (0..=255u8).flat_map(|k| colour(f64::from(k) / 255.0)).collect();
         BASE64_STANDARD.encode(colours)
     };
+    let place = |wanted: Field| fields.iter().position(|(field, _)| *field == wanted);
+    let best = best(scene);
     json!({
         "fields": described,
+        "field": opening(&scene.surfaces[best]).and_then(place).or_else(|| {
+            // Of minimal surfaces by formula the Gauss curvature is what there is to see.
+            (!scene.surfaces[best].is_least() && !fields.is_empty()).then_some(0)
+        }),
+        "mode": place(Field::Mode),
         "scales": [scale(&|t| colour::diverging(2.0 * t - 1.0)), scale(&colour::sequential)],
         "none": colour::NONE,
         "deformation": is_deformation(scene),
-        "best": best(scene),
+        "best": best,
         "radius": scene.radius,
         "home": { "turn": scene.direction.azimuth, "tilt": scene.direction.elevation },
         "surfaces": scene.surfaces.iter().map(|shown| surface(scene, shown, &fields)).collect::<Vec<_>>(),
@@ -63,6 +71,16 @@ fn is_deformation(scene: &Scene<'_>) -> bool {
 fn best(scene: &Scene<'_>) -> usize {
     let rows: Vec<Option<&Done>> = scene.surfaces.iter().map(|shown| Some(shown.done)).collect();
     standings(&rows).iter().position(|standing| *standing == Standing::Best).unwrap_or(0)
+}
+
+/// The colour to begin with: mean curvature where it says something, which it does not of a least area; plain there, unless
+/// the surface is none that lasts.
+fn opening(shown: &Shown<'_>) -> Option<Field> {
+    match (shown.is_unstable(), shown.is_least()) {
+        (true, _) => Some(Field::Mode),
+        (false, true) => None,
+        (false, false) => Some(Field::Mean),
+    }
 }
 
 fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Value {
@@ -83,9 +101,14 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
     if let Some(largest) = figures.mean_curvature_max {
         caption += &format!(", max |H| {} 1/length", Notation::Digits(4).of(largest));
     }
+    if let Some((_, smallest)) = shown.with_mode() {
+        let stable = if shown.is_unstable() { "unstable" } else { "stable" };
+        caption += &format!("; second variation {}: {stable}", Notation::Digits(3).of(smallest));
+    }
     json!({
         "name": shown.name,
         "caption": caption,
+        "swings": shown.with_mode().is_some(),
         "charts": shown.sample.charts.iter().map(chart).collect::<Vec<_>>(),
         "lines": shown.sample.lines.iter().map(line).collect::<Vec<_>>(),
         "points": points(&shown.sample.points),
@@ -103,6 +126,9 @@ fn surface(scene: &Scene<'_>, shown: &Shown<'_>, fields: &[(Field, f64)]) -> Val
 /// A grid of points: those of the surface in their order, or the places of those of a face.
 fn chart(chart: &Chart) -> Value {
     let mut value = json!({ "steps": chart.steps, "triangle": chart.domain == Domain::Triangle });
+    if chart.flipped {
+        value["flipped"] = true.into();
+    }
     if let Some(places) = chart.places() {
         value["places"] = numbers(places.iter().map(|&k| k as usize)).into();
     }

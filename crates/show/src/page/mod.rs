@@ -137,7 +137,8 @@ fn view(scene: Option<&Scene<'_>>) -> String {
          <div class=\"choices\">\
          <label class=\"switch\"><input type=\"checkbox\" id=\"net\"> {points}</label>\
          <label class=\"switch\"><input type=\"checkbox\" id=\"wires\"> wireframe</label>\
-         <button type=\"button\" id=\"reset\">Reset the view</button></div>\n\
+         <button type=\"button\" id=\"reset\">Reset the view</button>\
+         <button type=\"button\" id=\"swing\" aria-pressed=\"false\" hidden>Swing by the mode</button></div>\n\
          <p class=\"faint notice\" id=\"help\">Drag or arrow keys turn, two fingers or + and − zoom, Shift-drag moves, \
          0 resets; the wheel zooms once the view is selected.</p>\n\
          {left_out}</div></section>\n"

@@ -1,6 +1,6 @@
 /// The names of all pictures there are.
-pub const PICTURES: [&str; 6] =
-    ["surfaces", "deformation", "mean-curvature", "tb-coons", "convergence", "curvature"];
+pub const PICTURES: [&str; 7] =
+    ["surfaces", "deformation", "mean-curvature", "mode", "tb-coons", "convergence", "curvature"];
 
 /// A picture with its name.
 pub struct Picture {

@@ -11,6 +11,7 @@ mod curvature;
 mod deformation;
 mod drawing;
 mod map;
+mod mode;
 mod multiples;
 mod panels;
 mod region;
@@ -38,6 +39,7 @@ pub fn pictures(results: &Results, scene: Option<&Scene<'_>>) -> Vec<Picture> {
             None => view::picture(scene),
         });
         pictures.extend(map::picture(scene));
+        pictures.extend(mode::picture(scene));
     }
     pictures.extend(blend::picture(results));
     pictures.extend(convergence::picture(results));

@@ -10,17 +10,17 @@ use crate::scene::{Field, LARGEST_NET, LineKind, MOST_NET_DEGREE, Sample, Scene,
 use plateau::{Energy, Notation};
 
 /// Most views in one picture.
-const PANELS: usize = 12;
+pub(super) const PANELS: usize = 12;
 /// Corners of the faces of all surfaces of a picture together: bounds its size.
 pub(super) const CORNERS: usize = 13_900;
 /// Width and height of one view.
-const CELL: [f64; 2] = [290.0, 290.0];
+pub(super) const CELL: [f64; 2] = [290.0, 290.0];
 /// Height of the title above it.
-const HEAD: f64 = 42.0;
+pub(super) const HEAD: f64 = 42.0;
 /// How far colours run into each other, as a share of half the diagonal of a face: no face is seen by itself, however large it is printed.
 const SMOOTHING: f64 = 0.6;
 /// Space for the colour bar.
-const BAR: f64 = 110.0;
+pub(super) const BAR: f64 = 110.0;
 
 /// Whether there is mean curvature to be seen: films of least area have the little that their degree leaves of 0.
 fn shows_mean_curvature(scene: &Scene<'_>) -> bool {

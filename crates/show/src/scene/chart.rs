@@ -31,6 +31,8 @@ pub(crate) struct Chart {
     pub(crate) steps: [usize; 2],
     /// The points of the grid among those of the sample; none if they are all of them, in the order of the grid.
     places: Option<Vec<u32>>,
+    /// Whether its normal x_u × x_v points to the other side than those of its neighbours.
+    pub(crate) flipped: bool,
 }
 
 impl Chart {
@@ -50,13 +52,13 @@ impl Chart {
                 (steps, rows.map(|(a, b)| patch.jet(at[a], at[b])).collect())
             }
         };
-        (Self { domain, steps, places: None }, jets)
+        (Self { domain, steps, places: None, flipped: false }, jets)
     }
 
     /// A face of a complex with its (steps + 1)² vertices among those of a mesh.
-    pub(super) fn of_face(steps: usize, places: Vec<u32>) -> Self {
+    pub(super) fn of_face(steps: usize, places: Vec<u32>, flipped: bool) -> Self {
         let domain = Domain::Rectangle { u: (0.0, 1.0), v: (0.0, 1.0) };
-        Self { domain, steps: [steps; 2], places: Some(places) }
+        Self { domain, steps: [steps; 2], places: Some(places), flipped }
     }
 
     /// The points of the grid among those of the sample; none if they are all of them, in the order of the grid.

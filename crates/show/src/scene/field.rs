@@ -11,11 +11,14 @@ pub(crate) enum Field {
     Laplacian,
     /// ½(E + G)/√(EG − F²) − 1: 0 where the chart is conformal.
     Conformality,
+    /// The displacement of the mode of the second variation, 1 where it is largest: known of least areas.
+    Mode,
 }
 
 impl Field {
     /// All fields, in the order of the report.
-    pub(crate) const ALL: [Self; 4] = [Self::Mean, Self::Gauss, Self::Laplacian, Self::Conformality];
+    pub(crate) const ALL: [Self; 5] =
+        [Self::Mean, Self::Gauss, Self::Laplacian, Self::Conformality, Self::Mode];
 
     /// Its symbol.
     pub(crate) fn symbol(self) -> &'static str {
@@ -24,6 +27,7 @@ impl Field {
             Self::Gauss => "K",
             Self::Laplacian => "|ΔS|",
             Self::Conformality => "½(E+G)/√(EG−F²) − 1",
+            Self::Mode => "f",
         }
     }
 
@@ -34,6 +38,7 @@ impl Field {
             Self::Gauss => "Gauss curvature",
             Self::Laplacian => "Laplacian of the chart",
             Self::Conformality => "conformality defect",
+            Self::Mode => "displacement of the mode",
         }
     }
 
@@ -43,13 +48,13 @@ impl Field {
             Self::Mean => "1/length",
             Self::Gauss => "1/length²",
             Self::Laplacian => "length",
-            Self::Conformality => "",
+            Self::Conformality | Self::Mode => "",
         }
     }
 
     /// Whether it has both signs.
     pub(crate) fn is_signed(self) -> bool {
-        matches!(self, Self::Mean | Self::Gauss)
+        matches!(self, Self::Mean | Self::Gauss | Self::Mode)
     }
 
     /// It scales as this power of a length.
@@ -58,7 +63,7 @@ impl Field {
             Self::Mean => -1,
             Self::Gauss => -2,
             Self::Laplacian => 1,
-            Self::Conformality => 0,
+            Self::Conformality | Self::Mode => 0,
         }
     }
 
@@ -66,11 +71,11 @@ impl Field {
     pub(crate) fn rounding(self, flat: f64) -> f64 {
         match self {
             Self::Gauss => flat * flat,
-            Self::Mean | Self::Laplacian | Self::Conformality => flat,
+            Self::Mean | Self::Laplacian | Self::Conformality | Self::Mode => flat,
         }
     }
 
-    /// Its value; none where the surface is singular or the value is not finite.
+    /// Its value; none where the surface is singular or the value is not finite, and of what a jet does not tell.
     pub(crate) fn of(self, jet: &Jet) -> Option<f64> {
         let value = match self {
             Self::Mean => jet.mean_curvature()?,
@@ -80,6 +85,7 @@ impl Field {
                 jet.normal()?;
                 jet.dirichlet_density() / jet.area_density() - 1.0
             }
+            Self::Mode => return None,
         };
         value.is_finite().then_some(value)
     }

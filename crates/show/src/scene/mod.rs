@@ -15,7 +15,7 @@ pub(crate) use field::Field;
 pub(crate) use sample::{Line, LineKind, Sample};
 
 use crate::colour;
-use plateau::{Done, Results};
+use plateau::{AreaEnd, AreaExtremal, Done, Energy, Results};
 
 /// Most surfaces that are shown; of more, the first and then evenly chosen ones.
 const MOST: usize = 24;
@@ -62,6 +62,25 @@ pub(crate) struct Shown<'a> {
 }
 
 impl Shown<'_> {
+    /// How it was found, if it is of least area and its mode is known.
+    pub(crate) fn with_mode(&self) -> Option<(&AreaExtremal, f64)> {
+        let found = self.done.solved.area.as_ref()?;
+        found.mode.as_ref()?;
+        Some((found, found.second_variation?))
+    }
+
+    /// Whether some displacement of it that keeps its border lowers its area.
+    pub(crate) fn is_unstable(&self) -> bool {
+        self.with_mode().is_some_and(|(_, smallest)| smallest < 0.0)
+    }
+
+    /// Whether it is of least area, as near as its functions come: what it has of mean curvature is what they leave of it.
+    pub(crate) fn is_least(&self) -> bool {
+        let is_reached = |found: &AreaExtremal| found.end == AreaEnd::Stationary;
+        self.done.solved.minimised == Some(Energy::Area)
+            && self.done.solved.area.as_ref().is_some_and(is_reached)
+    }
+
     /// Whether its control net is drawn unasked: neither does it dwarf the surface, nor hide it.
     pub(crate) fn has_clear_net(&self) -> bool {
         self.net_size() <= LARGEST_NET && self.net.degree <= MOST_NET_DEGREE
@@ -130,6 +149,10 @@ impl<'a> Scene<'a> {
     /// The value at which the colours of `field` are full, the same for all surfaces: all but the largest
     /// 2 % of the values lie within. None if nothing but rounding is there to see.
     pub(crate) fn full_scale(&self, field: Field) -> Option<f64> {
+        if field == Field::Mode {
+            // In units of the largest.
+            return self.surfaces.iter().any(|shown| shown.with_mode().is_some()).then_some(1.0);
+        }
         let values = self.surfaces.iter().flat_map(|s| s.sample.values(field)).flatten();
         let rounding = field.rounding(FLAT) * self.radius.powi(field.length_exponent());
         colour::full_scale(values.copied(), rounding)
@@ -157,7 +180,24 @@ pub(crate) fn spread(count: usize, most: usize) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::spread;
+    use super::{Field, LineKind, Sample, spread};
+    use plateau::{FillEnergy, Loop, fill};
+    use surfaces::Point;
+
+    #[test]
+    fn modes_keep_the_rim_and_reach_one() {
+        let corners =
+            [[0., 0., 0.], [1., 0., 0.], [1., 1., 1.], [0., 1., 0.], [-0.4, 0.5, 0.3]].map(Point::from);
+        let film = fill(&[Loop::polygon(&corners).unwrap()], 5).unwrap();
+        let sample = Sample::of(&film.into_done(FillEnergy::Area), 4000).unwrap();
+        assert!(sample.charts.len() > 1);
+        let values: Vec<f64> =
+            sample.values(Field::Mode).iter().map(|f| f.expect("a displacement")).collect();
+        let rim = sample.lines.iter().filter(|line| line.kind == LineKind::Rim);
+        assert!(rim.flat_map(|line| &line.points).all(|&k| values[k] == 0.0));
+        let largest = values.iter().fold(0.0f64, |largest, f| largest.max(f.abs()));
+        assert!((largest - 1.0).abs() < 1e-15, "{largest}");
+    }
 
     #[test]
     fn chosen_surfaces_are_distinct_and_keep_the_ends() {

@@ -1,4 +1,4 @@
-use plateau::{Done, Seams, Surface};
+use plateau::{Done, Mode, Seams, Surface};
 use surfaces::{Complex, Patch, Point};
 
 use super::Field;
@@ -38,18 +38,44 @@ pub(crate) struct Sample {
     pub(crate) charts: Vec<Chart>,
     /// The rim, and the borders of the patches of a complex.
     pub(crate) lines: Vec<Line>,
-    fields: [Vec<Option<f64>>; 4],
+    fields: [Vec<Option<f64>>; 5],
 }
 
 impl Sample {
     /// Samples a surface at about `budget` vertices; none if it has more faces than can be shown.
     pub(super) fn of(done: &Done, budget: usize) -> Option<Self> {
-        match &done.solved.surface {
-            Surface::Tensor(patch) => Some(Self::of_patch(patch, None, budget)),
-            Surface::Triangle(patch) => Some(Self::of_patch(patch, None, budget)),
-            Surface::Pieces(pieces) => Some(Self::of_patch(pieces, Some(pieces.shape()), budget)),
-            Surface::Complex(complex) => Self::of_complex(complex, budget),
+        let mut sample = match &done.solved.surface {
+            Surface::Tensor(patch) => Self::of_patch(patch, None, budget),
+            Surface::Triangle(patch) => Self::of_patch(patch, None, budget),
+            Surface::Pieces(pieces) => Self::of_patch(pieces, Some(pieces.shape()), budget),
+            Surface::Complex(complex) => Self::of_complex(complex, budget)?,
+        };
+        let mode = done.solved.area.as_ref().and_then(|found| found.mode.as_ref());
+        if let Some(values) = mode.and_then(|mode| sample.displacement(mode, &done.solved.surface, budget)) {
+            sample.fields[Field::Mode as usize] = values;
         }
+        Some(sample)
+    }
+
+    /// The displacement of a mode of the surface at the points of its sample of about `budget` vertices, in units of the largest.
+    fn displacement(&self, mode: &Mode, surface: &Surface, budget: usize) -> Option<Vec<Option<f64>>> {
+        let functions = mode.functions(surface).ok()??;
+        let mut values = vec![0.0; self.points.len()];
+        for (function, chart) in functions.iter().zip(&self.charts) {
+            let of_chart = match chart.places() {
+                None => Self::of_patch(function.as_ref(), None, budget).points,
+                Some(_) => {
+                    let at: Vec<f64> =
+                        (0..=chart.steps[0]).map(|k| k as f64 / chart.steps[0] as f64).collect();
+                    function.jets(&at, &at).into_iter().map(|jet| jet.point).collect()
+                }
+            };
+            for (k, point) in of_chart.into_iter().enumerate() {
+                values[chart.places().map_or(k, |places| places[k] as usize)] = point.x;
+            }
+        }
+        let largest = values.iter().fold(0.0f64, |largest, f| largest.max(f.abs()));
+        (largest > 0.0).then(|| values.into_iter().map(|f| Some(f / largest)).collect())
     }
 
     /// Samples a surface of one domain, of so many pieces in u and v.
@@ -96,11 +122,13 @@ impl Sample {
         let fields = Field::ALL.map(|field| match field {
             Field::Mean => mesh.mean_curvature.clone(),
             Field::Gauss => mesh.gauss_curvature.clone(),
-            Field::Laplacian | Field::Conformality => none.clone(),
+            Field::Laplacian | Field::Conformality | Field::Mode => none.clone(),
         });
+        let orientation = complex.orientation();
+        let grids = sampled.grids.into_iter().zip(orientation.flipped());
         Some(Self {
             lines: lines.collect(),
-            charts: sampled.grids.into_iter().map(|places| Chart::of_face(steps, places)).collect(),
+            charts: grids.map(|(places, &flipped)| Chart::of_face(steps, places, flipped)).collect(),
             points: mesh.points,
             fields,
         })
