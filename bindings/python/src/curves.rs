@@ -39,7 +39,7 @@ impl Given<'_> {
             }
             _ => Shape::Arc(self.arc(&points).map_err(refused)?),
         };
-        Ok(FileCurve { name: self.name.clone(), line, shape, closes: self.closed })
+        Ok(FileCurve { name: self.name.clone(), line, shape, closes: self.closed, joints: Vec::new() })
     }
 
     fn arc(&self, points: &[Point]) -> Result<EllipseArc, CurveError> {

@@ -5,6 +5,7 @@ use plateau::Fill;
 
 use crate::Plan;
 
+mod control;
 mod error;
 mod filling;
 mod options;
@@ -32,22 +33,33 @@ pub const MAX_IMPORT_SIZE: u64 = 16 * 1024 * 1024;
 /// [`ImportError`]; the file itself is not named in it.
 pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<String, ImportError> {
     options.check()?;
-    let file = read_curves(bytes, name)?;
+    if options.degree.is_some() && options.control_points {
+        let why = "--degree says that the points are on the curves, --control-points that they are not: give one of them";
+        return Err(ImportError::Option(why.into()));
+    }
+    let mut file = read_curves(bytes, name)?;
+    if options.control_points {
+        file = file.parted();
+    }
+    if !options.says_what_points_are() && sides::names(&file).is_some() {
+        control::ask(&file)?;
+    }
     let title = title(name);
-    let notes: Vec<&str> = file.notes.iter().map(String::as_str).collect();
+    let said = |more: &[String]| -> Vec<String> { file.notes.iter().chain(more).cloned().collect() };
     let apart = match Sides::of_file(&file, options) {
-        Ok(Some(sides)) => return checked(sides.printed(&title, &notes)),
+        Ok(Some(sides)) => return checked(sides.printed(&title, &said(&[]))),
         Ok(None) => None,
         // Under names of their own they may be two loops, or branch.
         Err(ImportError::Corner(apart)) if !apart.named => Some(ImportError::Corner(apart)),
         Err(error) => return Err(error),
     };
-    let assembly = Assembly::new(&file, &options.assembly).map_err(|error| match (error, apart) {
+    let (curves, _) = control::taken(file.clone(), options)?;
+    let assembly = Assembly::new(&curves, &options.assembly).map_err(|error| match (error, apart) {
         (AssemblyError::Gap(why), _) => ImportError::Assembly(AssemblyError::Gap(why)),
         (_, Some(apart)) => apart,
         (error, None) => error.into(),
     })?;
-    let notes: Vec<&str> = notes.into_iter().chain(assembly.notes.iter().map(String::as_str)).collect();
+    let notes = said(&assembly.notes);
     match Sides::of_assembly(&assembly, options)? {
         Some(sides) => checked(sides.printed(&title, &notes)),
         None => {

@@ -208,7 +208,7 @@ pub(crate) struct ImportArguments {
     /// Degree of the patches; of three or four sides, the degree of the curves that are fitted to their points
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
     pub(crate) degree: Option<u16>,
-    /// The points of three or four sides are control points, however many
+    /// The points of polylines are control points of Bézier curves, however many; those of sides u0, u1, v0, v1 or ab, bc, ca are without it
     #[arg(long, conflicts_with = "degree")]
     pub(crate) control_points: bool,
     /// Turn in degrees above which a polyline has a corner
@@ -234,6 +234,9 @@ pub(crate) struct FillArguments {
     /// Degree of the patches, at most 24; by default 6, or that of the curves where it is higher
     #[arg(long, value_name = "P", value_parser = clap::value_parser!(u16).range(1..=DegreeLimit::Patches.degree() as i64))]
     pub(crate) degree: Option<u16>,
+    /// The points of polylines are control points of Bézier curves, however many; those of sides u0, u1, v0, v1 or ab, bc, ca are, unless --degree is given
+    #[arg(long)]
+    pub(crate) control_points: bool,
     /// Layers of smaller patches around corners where the surface is not smooth: 0 or 1
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1))]
     pub(crate) layers: u16,

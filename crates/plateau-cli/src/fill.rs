@@ -57,7 +57,7 @@ fn curves(path: &Path) -> Result<CurveFile, Failure> {
 fn options(arguments: &FillArguments) -> ImportOptions {
     ImportOptions {
         degree: arguments.degree.map(usize::from),
-        control_points: false,
+        control_points: arguments.control_points,
         tolerance: arguments.tolerance,
         assembly: AssemblyOptions { weld: arguments.weld, corner_angle: arguments.corner_angle },
     }

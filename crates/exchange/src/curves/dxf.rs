@@ -52,7 +52,7 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
             let mut counter = file.curves.len();
             limits::count(&mut counter, 1, MOST_CURVES, "curves", entity.line)?;
             let name = entity.text(8).map(limits::name).filter(|layer| layer != "0").unwrap_or_default();
-            file.curves.push(FileCurve { name, line: entity.line, shape, closes: false });
+            file.curves.push(FileCurve { name, line: entity.line, shape, closes: false, joints: Vec::new() });
         }
     }
     if let Some(unit) = unit {

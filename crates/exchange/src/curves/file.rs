@@ -11,6 +11,9 @@ pub struct FileCurve {
     pub shape: Shape,
     /// Whether its last point is followed by its first one although the file does not say so: a table without sides is a loop.
     pub closes: bool,
+    /// Of a polyline that several lines of the file make together: the indices of the points where one ends and the next begins. None where
+    /// each is a single segment.
+    pub joints: Vec<usize>,
 }
 
 /// What a file holds.
@@ -31,5 +34,28 @@ impl CurveFile {
         self.curves.extend(other.curves);
         self.notes.extend(other.notes);
         self
+    }
+
+    /// The same with each line of the file a curve by itself.
+    #[must_use]
+    pub fn parted(mut self) -> Self {
+        self.curves = self.curves.into_iter().flat_map(FileCurve::parts).collect();
+        self
+    }
+}
+
+impl FileCurve {
+    /// The lines it is made of.
+    fn parts(self) -> Vec<Self> {
+        let Shape::Polyline(points) = &self.shape else { return vec![self] };
+        let mut cuts = vec![0];
+        cuts.extend(&self.joints);
+        cuts.push(points.len() - 1);
+        let part = |ends: &[usize]| Self {
+            shape: Shape::Polyline(points[ends[0]..=ends[1]].to_vec()),
+            joints: Vec::new(),
+            ..self.clone()
+        };
+        cuts.windows(2).map(part).collect()
     }
 }

@@ -25,6 +25,8 @@ struct Draft {
     name: String,
     line: usize,
     indices: Vec<Index>,
+    /// Where one of its lines ends and the next begins, unless they are single segments.
+    joints: Vec<usize>,
     free_form: Option<FreeForm>,
 }
 
@@ -48,6 +50,8 @@ struct Reader {
     faces: usize,
     references: usize,
     passed_over: Vec<&'static str>,
+    /// Whether the last curve is made of single segments.
+    is_chain: bool,
 }
 
 /// The lines (`l`) and curves (`curv`) of an OBJ file, named by the last `o` or `g` before them. Lines that go on where the one
@@ -95,7 +99,8 @@ impl Reader {
                         "a line joins two or more vertices, as in `l 1 2 3`",
                     ));
                 }
-                self.draft(Draft { name: self.name.clone(), line: number, indices, free_form: None })?;
+                let name = self.name.clone();
+                self.draft(Draft { name, line: number, indices, joints: Vec::new(), free_form: None })?;
             }
             "cstype" => self.family = Some(family(&cells.collect::<Vec<_>>(), number)?),
             "deg" => {
@@ -176,6 +181,7 @@ impl Reader {
     }
 
     fn draft(&mut self, draft: Draft) -> Result<(), CurveFileError> {
+        let is_segment = draft.free_form.is_none() && draft.indices.len() == 2;
         // Segments written one by one are joined as they come; the assembly joins the others.
         if let Some(last) = self.drafts.last_mut()
             && draft.free_form.is_none()
@@ -185,9 +191,14 @@ impl Reader {
                 == draft.indices.first().map(|index| index.vertex)
             && last.indices.first().map(|index| index.vertex) != last.indices.last().map(|index| index.vertex)
         {
+            self.is_chain &= is_segment;
+            if !self.is_chain {
+                last.joints.push(last.indices.len() - 1);
+            }
             last.indices.extend(draft.indices.into_iter().skip(1));
             return Ok(());
         }
+        self.is_chain = is_segment;
         // Segments are joined by the assembly: more of them than curves may stand in a file.
         let mut counter = self.drafts.len();
         limits::count(
@@ -225,7 +236,8 @@ impl Reader {
         let ends = [from?, to?];
         let indices = self.indices(cells, line)?;
         let free_form = FreeForm { family, is_rational, degree, ends, parameters: Vec::new() };
-        self.draft(Draft { name: self.name.clone(), line, indices, free_form: Some(free_form) })?;
+        let name = self.name.clone();
+        self.draft(Draft { name, line, indices, joints: Vec::new(), free_form: Some(free_form) })?;
         self.is_open = true;
         Ok(())
     }
@@ -254,7 +266,8 @@ impl Reader {
         }
         let curves = self.drafts.iter().map(|draft| {
             let shape = self.shape(draft)?;
-            Ok(FileCurve { name: draft.name.clone(), line: draft.line, shape, closes: false })
+            let (name, joints) = (draft.name.clone(), draft.joints.clone());
+            Ok(FileCurve { name, line: draft.line, shape, closes: false, joints })
         });
         let curves = curves.collect::<Result<Vec<_>, CurveFileError>>()?;
         let mut notes: Vec<String> =

@@ -26,7 +26,7 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
             limits::count(&mut points, shape.sampled().len().min(1000), MOST_POINTS, "points", line)?;
             let mut counter = found.len();
             limits::count(&mut counter, 1, MOST_CURVES, "curves", line)?;
-            found.push(FileCurve { name: name.clone(), line, shape, closes: false });
+            found.push(FileCurve { name: name.clone(), line, shape, closes: false, joints: Vec::new() });
         }
     }
     if found.is_empty() {

@@ -89,7 +89,13 @@ impl Sides {
     fn begin(&mut self, name: String, line: usize) -> Result<usize, CurveFileError> {
         let mut counter = self.curves.len();
         limits::count(&mut counter, 1, MOST_CURVES, "sides", line)?;
-        self.curves.push(FileCurve { name, line, shape: Shape::Polyline(Vec::new()), closes: false });
+        self.curves.push(FileCurve {
+            name,
+            line,
+            shape: Shape::Polyline(Vec::new()),
+            closes: false,
+            joints: Vec::new(),
+        });
         Ok(self.curves.len() - 1)
     }
 

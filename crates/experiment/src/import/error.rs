@@ -24,9 +24,9 @@ pub enum ImportError {
     Option(String),
     /// A side has many points, and nothing says what they are.
     #[error(
-        "{side} has {count} points, and what they are has to be said: points on the curve, then `--degree 6` fits curves of degree 6 to \
-         the points of every side; or control points of a curve of degree {}, then `--control-points`; `plateau fill` spans points on curves \
-         as they are",
+        "{side} has {count} points, and what they are has to be said: points on the curve, then `--degree 6`, with which curves are laid \
+         through them; or control points of a curve of degree {}, then `--control-points`; under other names than those of the sides of \
+         an experiment they are points on the curve without a word",
         count - 1
     )]
     Ask {

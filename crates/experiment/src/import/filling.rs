@@ -4,7 +4,7 @@ use exchange::{Assembly, CurveFile, CurveFileError, Frame, Shape, Side};
 use plateau::{Fill, Film, MethodError, Progress};
 use show::RimSource;
 
-use super::{ImportError, ImportOptions, checked, printed};
+use super::{ImportError, ImportOptions, checked, control, printed};
 
 /// The curves of one or several files as one boundary, ready to be filled.
 #[derive(Debug, Clone)]
@@ -14,11 +14,13 @@ pub struct Filling {
     options: ImportOptions,
     /// What the files say of themselves.
     told: Vec<String>,
+    notes: Vec<String>,
 }
 
 impl Filling {
-    /// Assembles the curves of all files together: a rim may stand in one, a hole in another. Sampled sides are to be met within the
-    /// tolerance of the options.
+    /// Assembles the curves of all files together: a rim may stand in one, a hole in another. Polylines are samples, to be met within the
+    /// tolerance of the options, or control points: if the options say so, or if they have the names of all sides of an experiment
+    /// (`u0`, `u1`, `v0`, `v1` or `ab`, `bc`, `ca`) and no degree is asked for, as [`import`](super::import()) has it.
     ///
     /// # Errors
     /// [`ImportError`]; no file is named in it.
@@ -26,14 +28,16 @@ impl Filling {
         options.check()?;
         let file = files.into_iter().reduce(CurveFile::with);
         let file = file.ok_or_else(|| CurveFileError::File("there is no file of curves".into()))?;
+        let (file, note) = control::taken(file, options)?;
         let assembly = Assembly::new(&file, &options.assembly)?;
         let frame = assembly.frame(options.rim_tolerance(&assembly))?;
-        Ok(Self { assembly, frame, options: options.clone(), told: file.notes })
+        let notes = note.map(str::to_owned).into_iter().chain(assembly.notes.iter().cloned()).collect();
+        Ok(Self { assembly, frame, options: options.clone(), told: file.notes, notes })
     }
 
     /// Sentences a user should see on how the curves became one boundary; what the files say of themselves is not among them.
     pub fn notes(&self) -> &[String] {
-        &self.assembly.notes
+        &self.notes
     }
 
     /// The surface over the boundary.
@@ -64,7 +68,7 @@ impl Filling {
     /// # Errors
     /// [`ImportError::Plan`].
     pub fn experiment(&self, title: &str, fill: &Fill) -> Result<String, ImportError> {
-        let notes: Vec<&str> = self.told.iter().chain(self.notes()).map(String::as_str).collect();
+        let notes: Vec<String> = self.told.iter().chain(self.notes()).cloned().collect();
         checked(printed::assembly(title, &self.assembly, &self.options, fill, &notes))
     }
 }

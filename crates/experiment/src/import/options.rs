@@ -8,7 +8,7 @@ use super::ImportError;
 pub struct ImportOptions {
     /// The points of polylines are samples: each side is the curve of this degree nearest to them.
     pub degree: Option<usize>,
-    /// The points of polylines are control points, however many.
+    /// The points of polylines are control points of Bézier curves, however many.
     pub control_points: bool,
     /// How far the curve of a side of many samples may pass from them; by default [`Self::TOLERANCE`] of the size.
     pub tolerance: Option<f64>,
@@ -35,10 +35,6 @@ impl ImportOptions {
     /// # Errors
     /// [`ImportError::Option`].
     pub fn check(&self) -> Result<(), ImportError> {
-        if self.degree.is_some() && self.control_points {
-            let why = "--degree says that the points are on the curves, --control-points that they are not: give one of them";
-            return Err(ImportError::Option(why.into()));
-        }
         if let Some(degree) = self.degree.filter(|degree| !(1..=MAX_DEGREE).contains(degree)) {
             return Err(ImportError::Option(format!(
                 "degree {degree} is not offered; 1 to {MAX_DEGREE} are"

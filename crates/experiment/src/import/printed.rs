@@ -9,7 +9,7 @@ use surfaces::{EllipseArc, Point};
 use super::ImportOptions;
 
 /// The title, notes as comments, and the heading of the boundary.
-pub(super) fn head(title: &str, notes: &[&str]) -> String {
+pub(super) fn head(title: &str, notes: &[String]) -> String {
     let mut text = format!("title = {}\n", quoted(title));
     for note in notes {
         let _ = writeln!(text, "# {}", note.replace(char::is_control, " "));
@@ -24,7 +24,7 @@ pub(super) fn assembly(
     assembly: &Assembly,
     options: &ImportOptions,
     fill: &Fill,
-    notes: &[&str],
+    notes: &[String],
 ) -> String {
     let tolerance = options.rim_tolerance(assembly);
     let mut text = head(title, notes);

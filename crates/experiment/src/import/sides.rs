@@ -9,7 +9,7 @@ use surfaces::{Bezier, Point};
 use super::{CornerGap, ImportError, ImportOptions, printed};
 
 /// Most points of a side that are taken as control points without a word.
-const MANY: usize = 13;
+pub(super) const MANY: usize = 13;
 
 /// Names of the sides, in the order in which they run around the boundary; whether the experiment has them in that sense.
 const TENSOR: [(&str, bool); 4] = [("u0", true), ("v1", true), ("u1", false), ("v0", false)];
@@ -38,16 +38,15 @@ impl Sides {
     /// Three or four polylines of a file, one side each, by the names of sides of experiments or, where something is said of their
     /// points, chained by their ends; none for other files.
     pub(super) fn of_file(file: &CurveFile, options: &ImportOptions) -> Result<Option<Self>, ImportError> {
+        if !options.says_what_points_are() && names(file).is_none() {
+            return Ok(None);
+        }
         let Some(polylines) = polylines(file) else { return Ok(None) };
         let names = match polylines.len() {
             3 => TRIANGLE.as_slice(),
             4 => TENSOR.as_slice(),
             _ => return Ok(None),
         };
-        let is_there = |name: &str| polylines.iter().any(|(label, _)| *label == name);
-        if !(options.says_what_points_are() || names.iter().all(|(name, _)| is_there(name))) {
-            return Ok(None);
-        }
         // A polyline that is closed by itself is no side.
         if polylines
             .iter()
@@ -59,17 +58,7 @@ impl Sides {
         let mut sides = Self::welded(curves, options)?;
         match options.degree {
             Some(degree) => sides.fit(degree)?,
-            None => {
-                let many = sides
-                    .curves
-                    .iter()
-                    .max_by_key(|curve| curve.points.len())
-                    .filter(|curve| curve.points.len() > MANY);
-                if let Some(curve) = many.filter(|_| !options.control_points) {
-                    return Err(ImportError::Ask { side: curve.label.clone(), count: curve.points.len() });
-                }
-                sides.level();
-            }
+            None => sides.level(),
         }
         Ok(Some(sides))
     }
@@ -166,7 +155,7 @@ impl Sides {
     }
 
     /// The experiment.
-    pub(super) fn printed(mut self, title: &str, notes: &[&str]) -> String {
+    pub(super) fn printed(mut self, title: &str, notes: &[String]) -> String {
         let mut text = printed::head(title, notes);
         for curve in &mut self.curves {
             if !curve.forward {
@@ -301,6 +290,15 @@ fn is_point(points: &[Point]) -> bool {
 
 fn last(points: &[Point]) -> Point {
     points.last().copied().unwrap_or_default()
+}
+
+/// The names of all sides of an experiment, if they are those of the polylines of a file.
+pub(super) fn names(file: &CurveFile) -> Option<&'static [(&'static str, bool)]> {
+    let polylines = polylines(file)?;
+    let is_there = |name: &str| polylines.iter().any(|(label, _)| *label == name);
+    let all = [TENSOR.as_slice(), TRIANGLE.as_slice()];
+    all.into_iter()
+        .find(|names| names.len() == polylines.len() && names.iter().all(|(name, _)| is_there(name)))
 }
 
 /// The polylines of a file, if it has nothing else.

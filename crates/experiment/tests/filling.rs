@@ -1,0 +1,176 @@
+//! Curves of files, filled.
+
+use exchange::read_curves;
+use experiment::{Filling, ImportError, ImportOptions, import};
+use plateau::Fill;
+use proptest::prelude::*;
+use surfaces::{Bezier, Point};
+
+fn filling(text: &str, options: &ImportOptions) -> Result<Filling, ImportError> {
+    Filling::new(vec![read_curves(text.as_bytes(), "-")?], options)
+}
+
+fn controls() -> ImportOptions {
+    ImportOptions { control_points: true, ..ImportOptions::default() }
+}
+
+/// Sides of a loop in the plane: chords of the unit circle bent a little by control points beside them, so that none crosses another.
+fn loops(most: usize) -> impl Strategy<Value = Vec<Vec<Point>>> {
+    prop::collection::vec(prop::collection::vec(-0.08..0.08, 1..5), 3..=most).prop_map(|sides| {
+        let count = sides.len();
+        let corner = |k: usize| {
+            let (s, c) = (std::f64::consts::TAU * (k % count) as f64 / count as f64).sin_cos();
+            Point::new(c, s, 0.0)
+        };
+        let side = |(k, bends): (usize, &Vec<f64>)| {
+            let (from, to) = (corner(k), corner(k + 1));
+            let across = Point::new(from.y - to.y, to.x - from.x, 0.0);
+            let degree = bends.len() + 1;
+            let inner = bends.iter().enumerate().map(|(i, bend)| {
+                let t = (i + 1) as f64 / degree as f64;
+                from * (1.0 - t) + to * t + across * *bend
+            });
+            std::iter::once(from).chain(inner).chain([to]).collect()
+        };
+        sides.iter().enumerate().map(side).collect()
+    })
+}
+
+fn table(names: &[&str], sides: &[Vec<Point>]) -> String {
+    let row = |name: &str, p: &Point| format!("{name},{:?},{:?},{:?}\n", p.x, p.y, p.z);
+    let rows = |(k, side): (usize, &Vec<Point>)| {
+        let name = names.get(k).map_or(format!("s{k}"), ToString::to_string);
+        side.iter().map(|p| row(&name, p)).collect::<String>()
+    };
+    "side,x,y,z\n".to_owned() + &sides.iter().enumerate().map(rows).collect::<String>()
+}
+
+/// The same as lines of an OBJ file, which go on in each other.
+fn lines(sides: &[Vec<Point>]) -> String {
+    let (mut text, mut count) = (String::new(), 0);
+    for side in sides {
+        side.iter().for_each(|p| text += &format!("v {:?} {:?} {:?}\n", p.x, p.y, p.z));
+        let line: Vec<String> = (1..side.len()).map(|k| (count + k).to_string()).collect();
+        count += side.len();
+        text += &format!("l {} {}\n", line.join(" "), if count == total(sides) { 1 } else { count + 1 });
+    }
+    text
+}
+
+fn total(sides: &[Vec<Point>]) -> usize {
+    sides.iter().map(Vec::len).sum()
+}
+
+/// ½ ∮ x dy − y dx, exact for the degrees here.
+fn enclosed(sides: &[Vec<Point>]) -> f64 {
+    let of_side = |points: &Vec<Point>| {
+        let curve = Bezier::new(points.clone()).unwrap();
+        let steps = 4000;
+        // Simpson's rule: 1e-13 and better for degree 9.
+        let at = |k: usize| {
+            let t = k as f64 / steps as f64;
+            let (p, d) = (curve.point(t), curve.derivative(t));
+            0.5 * (p.x * d.y - p.y * d.x)
+        };
+        let weight = |k: usize| {
+            if k == 0 || k == steps {
+                1.0
+            } else if k % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            }
+        };
+        (0..=steps).map(|k| weight(k) * at(k)).sum::<f64>() / (3 * steps) as f64
+    };
+    sides.iter().map(of_side).sum()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    /// The plane spanned is that between the Bézier curves, not between curves through their control points.
+    #[test]
+    fn control_points_are_those_of_the_rim(sides in loops(6)) {
+        for text in [table(&[], &sides), lines(&sides)] {
+            let film = filling(&text, &controls()).unwrap().span(&Fill::default(), &()).unwrap();
+            prop_assert!((film.figures.area.value / enclosed(&sides) - 1.0).abs() < 1e-9, "{}", text);
+            prop_assert_eq!(film.rim.largest, 0.0);
+        }
+    }
+
+    /// A table means the same to `fill` and to `import`: under names of its own and under those of the sides of an experiment.
+    #[test]
+    fn columns_mean_the_same_to_both(sides in loops(5), is_said in any::<bool>()) {
+        let names: &[&str] = match sides.len() {
+            3 => &["ab", "bc", "ca"],
+            4 => &["u0", "v1", "u1", "v0"],
+            _ => &[],
+        };
+        let mut sides = sides;
+        // Opposite sides run alike in an experiment.
+        if sides.len() == 4 {
+            sides[2].reverse();
+            sides[3].reverse();
+        }
+        let text = table(names, &sides);
+        let options = if is_said || names.is_empty() { controls() } else { ImportOptions::default() };
+        let printed = import(text.as_bytes(), "-", &options).unwrap();
+        let filled = filling(&text, &options).unwrap().experiment("t", &Fill::default()).unwrap();
+        prop_assert!(!filled.contains("through"), "{}", filled);
+        let digits = |p: &Point| format!("[{:?}, {:?}, {:?}]", p.x, p.y, p.z);
+        for side in &sides {
+            let points = |forward: bool| {
+                let mut points: Vec<String> = side.iter().map(digits).collect();
+                if !forward { points.reverse() }
+                format!("= [{}]", points.join(", "))
+            };
+            prop_assert!(filled.contains(&points(true)) || filled.contains(&points(false)), "{}", filled);
+            let raised = printed.contains("raised from degree");
+            prop_assert!(raised || printed.contains(&points(true)) || printed.contains(&points(false)), "{}", printed);
+        }
+    }
+}
+
+#[test]
+fn many_points_under_names_of_sides_are_asked_about_by_both() {
+    let arch = |y: f64| (0..=20).map(move |k| Point::new(f64::from(k), y, f64::from(k * (20 - k)) / 50.0));
+    let line = |x: f64| vec![Point::new(x, 0.0, 0.0), Point::new(x, 9.0, 0.0)];
+    let sides = [arch(0.0).collect(), arch(9.0).collect(), line(0.0), line(20.0)];
+    let text = table(&["v0", "v1", "u0", "u1"], &sides);
+    let by_import = import(text.as_bytes(), "-", &ImportOptions::default()).unwrap_err().to_string();
+    let by_fill = filling(&text, &ImportOptions::default()).unwrap_err().to_string();
+    assert_eq!(by_import, by_fill);
+    assert!(by_fill.contains("--degree") && by_fill.contains("--control-points"), "{by_fill}");
+    // Both answers are taken, and are two surfaces.
+    let area = |options: &ImportOptions| {
+        filling(&text, options).unwrap().span(&Fill::default(), &()).unwrap().figures.area.value
+    };
+    let samples = area(&ImportOptions { degree: Some(6), ..ImportOptions::default() });
+    let controlled = area(&controls());
+    assert!(samples > 1.001 * controlled, "{samples} {controlled}");
+    // Under other names they are points on curves without a word.
+    let other = text.replace("v0", "north").replace("v1", "south").replace("u0", "east");
+    assert!((area_of(&other) / samples - 1.0).abs() < 1e-12);
+}
+
+fn area_of(text: &str) -> f64 {
+    let filling = filling(text, &ImportOptions::default()).unwrap();
+    filling.span(&Fill::default(), &()).unwrap().figures.area.value
+}
+
+#[test]
+fn control_points_that_make_no_curve_say_what_to_do() {
+    let ring: String = (0..6).map(|k| format!("{},{},0\n", k % 3, k / 3)).collect();
+    let many: String = (0..40).map(|k| format!("a,{k},0,{}\n", k % 2)).collect();
+    for (text, said) in [
+        (ring, "name the sides in a column, or repeat the first point at the end"),
+        (
+            many + "b,39,0,1\nb,20,20,20\nb,0,0,0\n",
+            "as control points they are a curve of degree 39, and 30 is the highest",
+        ),
+    ] {
+        let error = filling(&text, &controls()).unwrap_err().to_string();
+        assert!(error.contains(said) && error.starts_with("line 1"), "{error}");
+    }
+}
