@@ -98,15 +98,11 @@ pub trait Cell: Debug + Send + Sync {
     /// # Errors
     /// As [`Self::hessian`].
     fn area_gradient(&self, tangents: &[[Point; 2]]) -> Result<Vec<Point>, EnergyError> {
-        let slopes = tangents
-            .iter()
-            .zip(self.weights())
-            .enumerate()
-            .map(|(p, (&[x_u, x_v], &w))| {
-                let (_, by_u, by_v) = Density::slope(x_u, x_v).ok_or_else(|| self.singular(p))?;
-                Ok([by_u * w, by_v * w])
-            })
-            .collect::<Result<Vec<_>, EnergyError>>()?;
+        let mut slopes = Vec::with_capacity(tangents.len());
+        for (p, (&[x_u, x_v], &w)) in tangents.iter().zip(self.weights()).enumerate() {
+            let (_, by_u, by_v) = Density::slope(x_u, x_v).ok_or_else(|| self.singular(p))?;
+            slopes.push([by_u * w, by_v * w]);
+        }
         Ok(self.adjoint(&slopes))
     }
 

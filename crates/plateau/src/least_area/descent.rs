@@ -55,7 +55,7 @@ pub(super) struct Descent<'a, 'p, S: Space> {
     /// The least share of the Dirichlet product in steps from here on.
     pub(super) least_shift: f64,
     /// Points of the rule that Hessians and metrics bear.
-    rough: usize,
+    pub(super) rough: usize,
     /// The last Hessians, a cell each, and with their share of the Dirichlet product: kept for their memory.
     pub(super) hessians: Vec<Matrix>,
     pub(super) shifted: Vec<Vec<f64>>,
@@ -134,11 +134,12 @@ impl<'a, 'p, S: Space> Descent<'a, 'p, S> {
         // Kept, because what control points near the border cost must not lead above it.
         let first = reached.surface.clone();
         self.corrections(&mut reached)?;
+        let corrected = reached.surface.clone();
         let digits = (LOOSE / self.tolerance).log10().max(0.0);
         let most = STEPS + (MORE_STEPS * digits) as usize;
         self.steps(&mut reached, reference, if near { TRUSTED_SHIFT } else { FIRST_SHIFT }, most)?;
         self.normal_steps(&mut reached)?;
-        self.within_reach(&mut reached, reference, first)?;
+        self.within_reach(&mut reached, reference, [first, corrected])?;
         Ok(reached)
     }
 

@@ -16,6 +16,7 @@ mod minimisation;
 mod mode;
 mod normal_steps;
 mod outcome;
+mod pulled_steps;
 mod raised;
 mod reach;
 mod rules;

@@ -3,21 +3,22 @@
 //! Of the parametrisations of nearly one surface the steps in all coordinates find some whose control points lie far away: a
 //! ripple of degree n that hardly shows has control points 2ⁿ times as large. The area alone does not mind. Such a net is pulled
 //! towards that of the Coons patch by a share of the squares of all displacements of its control points, the least of a ladder
-//! of shares that brings them near, and is then moved along the normals once more.
+//! of shares that brings them near, and is then moved along the normals once more. Where nets are tame a few leaps lead down
+//! that ladder.
 
 use std::rc::Rc;
 
 use bases::Matrix;
 use energy::Cell;
-use solve::SolveError;
 use surfaces::Point;
 
 use super::assembly::Assembly;
-use super::descent::{Descent, LEAST_SHIFT, LOOSE, ROUNDING, Reached, TRIES, defined, less};
+use super::descent::{Descent, LEAST_SHIFT, LOOSE, Reached};
 use super::outcome::ValleyEnd;
+use super::pulled_steps::{Pulled, Squares};
 use super::rules::{Known, Rules};
 use super::space::{Space, Topology};
-use super::steps::{EVENNESS, Model};
+use super::steps::EVENNESS;
 use super::tensor::times;
 use crate::MethodError;
 
@@ -30,9 +31,16 @@ const LARGEST_PULL: f64 = 1e-3;
 const SLACKER: f64 = 0.25;
 const PULLS: usize = 14;
 
-/// Steps at each at most, and the share of the area that one must promise for another to follow.
+/// Steps at each share at most.
 const PULLED_STEPS: usize = 8;
-const PULLED_GAIN: f64 = 1e-10;
+
+/// Share of the evenness asked for below which no weaker pull mends where the strongest led, and any other.
+const HOPELESS: [f64; 2] = [1e-2, 0.5];
+
+/// The shares that are leapt to, the last of them the least, with the steps at each and those with each factorisation at most.
+const LEAPS: [i32; 4] = [3, 6, 9, PULLS as i32 - 1];
+const LEAP_STEPS: usize = 2;
+const REUSED: usize = 10;
 
 /// The share of the area that is given up at most.
 const GIVEN_UP: f64 = 5e-4;
@@ -41,8 +49,6 @@ const GIVEN_UP: f64 = 5e-4;
 struct Reach {
     /// From the nodes of a cell to its control points.
     control: Matrix,
-    /// The sum of the squares of the control points as a form of the free nodes, for every cell, once it is needed.
-    squares: Vec<Vec<f64>>,
     /// The nodes of the border.
     border: Vec<Point>,
     /// A length that the longest edge of no box around the border falls short of.
@@ -66,7 +72,6 @@ impl Reach {
         let control = space.control()?;
         Ok(Self {
             control,
-            squares: Vec::new(),
             border,
             // A box with a diagonal of at least `across` has an edge of at least a √3-th of it.
             size: across / 3f64.sqrt(),
@@ -85,36 +90,20 @@ impl Reach {
         let of_cell = |k| times(&self.control, &topology.of_cell(k, x)).into_iter().map(of_point);
         (0..topology.cells.len()).flat_map(of_cell).fold(1.0, f64::max)
     }
+}
 
-    /// Half the sum of the squares of the control points of a displacement, and its derivative by every node.
-    fn pull(&self, topology: &Topology, d: &[Point]) -> (f64, Vec<Point>) {
-        let (mut half, mut slopes) = (0.0, vec![Point::ZERO; d.len()]);
-        for (nodes, square) in topology.cells.iter().zip(&self.squares) {
-            let free: Vec<usize> = nodes.iter().copied().filter(|&node| !topology.fixed[node]).collect();
-            for (row, &node) in square.chunks_exact(free.len().max(1)).zip(&free) {
-                let slope = row.iter().zip(&free).fold(Point::ZERO, |sum, (&c, &l)| sum + d[l] * c);
-                half += 0.5 * d[node].dot(slope);
-                slopes[node] += slope;
-            }
-        }
-        (half, slopes)
+/// How a surface meets what is asked of it.
+struct Fit {
+    /// Its evenness over the least that is asked.
+    evenness: f64,
+    /// Whether its control points are near.
+    is_near: bool,
+}
+
+impl Fit {
+    fn is_good(&self) -> bool {
+        self.evenness >= 1.0 && self.is_near
     }
-}
-
-/// `Σ_c control_ck control_cl` over the nodes k, l wanted: symmetric, positive definite.
-fn squares(control: &Matrix, wanted: &[bool]) -> Vec<f64> {
-    let column = |k: usize| (0..control.rows()).map(|c| control[(c, k)]).collect::<Vec<f64>>();
-    let columns: Vec<Vec<f64>> = (0..control.cols()).filter(|&k| wanted[k]).map(column).collect();
-    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    columns.iter().flat_map(|a| columns.iter().map(|b| product(a, b))).collect()
-}
-
-/// A step towards the least of the area with a share of the squares: from what it began, with its system.
-struct Pulled<'x> {
-    reach: &'x Reach,
-    towards: &'x [Point],
-    share: f64,
-    shift: f64,
 }
 
 impl<S: Space> Descent<'_, '_, S> {
@@ -125,7 +114,7 @@ impl<S: Space> Descent<'_, '_, S> {
         &mut self,
         reached: &mut Reached,
         reference: &[Point],
-        first: Known,
+        [first, corrected]: [Known; 2],
     ) -> Result<(), MethodError> {
         let topology = self.rules.space.topology();
         if self.tolerance < LOOSE || topology.cells.iter().any(|cell| cell.len() > MOST_NODES) {
@@ -140,13 +129,23 @@ impl<S: Space> Descent<'_, '_, S> {
         if self.fits(&reach, &reached.surface)? {
             return Ok(());
         }
-        reach.squares =
-            (0..topology.cells.len()).map(|k| squares(&reach.control, &topology.free(k))).collect();
+        let squares = Squares::new(topology, &reach.control);
         let unpulled = reached.surface.area();
         // From the first surface with the strongest pull, not from the end of the valley, which the last digits decide.
-        let start = Pulled { reach: &reach, towards: reference, share: LARGEST_PULL, shift: LEAST_SHIFT };
+        let start = Pulled {
+            squares: &squares,
+            towards: reference,
+            share: LARGEST_PULL,
+            shift: LEAST_SHIFT,
+            most: PULLED_STEPS,
+            reused: 0,
+        };
         reached.valley = ValleyEnd::Far;
-        if let Some(near) = self.slackened(Reached { surface: first.clone(), ..reached.clone() }, start)?
+        let near = match self.leapt(&reach, Reached { surface: corrected, ..reached.clone() }, &start)? {
+            Some(near) => Some(near),
+            None => self.slackened(&reach, Reached { surface: first.clone(), ..reached.clone() }, start)?,
+        };
+        if let Some(near) = near
             && near.surface.area() <= unpulled * (1.0 + GIVEN_UP)
         {
             let beyond = near.surface.area() - unpulled;
@@ -161,20 +160,44 @@ impl<S: Space> Descent<'_, '_, S> {
         Ok(())
     }
 
+    /// The surface that the weakest pull leads to from one that is near, by leaps over most of the ladder: none if one of them does not
+    /// come to its end, or if the last ends out of reach. So it is where nets are tame, and costs a fraction of the ladder.
+    fn leapt(
+        &mut self,
+        reach: &Reach,
+        mut pulled: Reached,
+        step: &Pulled<'_>,
+    ) -> Result<Option<Reached>, MethodError> {
+        for rung in LEAPS {
+            let share = LARGEST_PULL * SLACKER.powi(rung);
+            let mut step = Pulled { share, most: LEAP_STEPS, reused: REUSED, ..*step };
+            if !self.pulled_steps(&mut pulled, &mut step)? || !self.fits(reach, &pulled.surface)? {
+                return Ok(None);
+            }
+        }
+        self.normal_steps(&mut pulled)?;
+        Ok(self.fits(reach, &pulled.surface)?.then_some(pulled))
+    }
+
     /// The surface within reach that the weakest pull leads to. From the strongest on each goes on from where the one before led:
     /// that is determined by the start, and so are all that follow.
     fn slackened(
         &mut self,
+        reach: &Reach,
         mut pulled: Reached,
         mut step: Pulled<'_>,
     ) -> Result<Option<Reached>, MethodError> {
         let mut fitting = Vec::new();
-        for _ in 0..PULLS {
+        for pull in 0..PULLS {
+            // A pull before may have asked for a finer rule.
+            self.rough = self.rules.first();
+            pulled.surface = self.rules.settled(pulled.surface.x)?;
             self.pulled_steps(&mut pulled, &mut step)?;
-            match self.fits(step.reach, &pulled.surface)? {
+            let fit = self.fit(reach, &pulled.surface)?;
+            match fit.is_good() {
                 true => fitting.push(pulled.clone()),
                 // Weaker pulls lead further away: once one does not fit after others did, none does.
-                false if !fitting.is_empty() => break,
+                false if !fitting.is_empty() || fit.evenness < HOPELESS[pull.min(1)] => break,
                 false => {}
             }
             step.share *= SLACKER;
@@ -182,7 +205,7 @@ impl<S: Space> Descent<'_, '_, S> {
         // The weakest first. The steps along the normals may lead out of reach once more.
         while let Some(mut last) = fitting.pop() {
             self.normal_steps(&mut last)?;
-            if self.fits(step.reach, &last.surface)? {
+            if self.fits(reach, &last.surface)? {
                 return Ok(Some(last));
             }
         }
@@ -190,9 +213,15 @@ impl<S: Space> Descent<'_, '_, S> {
     }
 
     fn fits(&mut self, reach: &Reach, surface: &Known) -> Result<bool, MethodError> {
+        Ok(self.fit(reach, surface)?.is_good())
+    }
+
+    fn fit(&mut self, reach: &Reach, surface: &Known) -> Result<Fit, MethodError> {
         let even = self.evenness(reach.rule, &surface.x)?;
-        let is_even = even.iter().zip(reach.floor).all(|(even, floor)| *even >= floor);
-        Ok(is_even && reach.sizes(self.rules.space.topology(), &surface.x) <= reach.sizes)
+        let evenness =
+            even.iter().zip(reach.floor).map(|(even, floor)| even / floor).fold(f64::INFINITY, f64::min);
+        let is_near = reach.sizes(self.rules.space.topology(), &surface.x) <= reach.sizes;
+        Ok(Fit { evenness, is_near })
     }
 
     /// The least over the mean area density inside, by a rule, and at the nodes, which lie on the border, too.
@@ -210,70 +239,5 @@ impl<S: Space> Descent<'_, '_, S> {
 
     fn at_nodes(&self) -> Result<Rc<dyn Cell>, MethodError> {
         Ok(Rc::from(self.rules.space.at_nodes()?))
-    }
-
-    /// Newton steps in all coordinates to the least of the area with a share of the squares.
-    fn pulled_steps(&mut self, reached: &mut Reached, step: &mut Pulled<'_>) -> Result<(), MethodError> {
-        let topology = self.rules.space.topology();
-        for _ in 0..PULLED_STEPS {
-            self.watch(reached)?;
-            let here = &reached.surface;
-            let cell = self.rules.fine_cell(here.points)?;
-            let assembly = Assembly { topology, cell: cell.as_ref() };
-            let Some(slopes) = defined(assembly.gradient(&here.fine.tangents))? else { break };
-            let Some(model) = self.model(here)? else { break };
-            self.iterations += 1;
-            let Some((x, promised)) = self.pulled_step(here, &slopes, &model, step)? else { break };
-            let next = self.rules.at(here.points, x)?;
-            let next = self.rules.settle(next)?;
-            reached.steps.steps += 1;
-            reached.steps.gained += reached.surface.area() - next.area();
-            reached.surface = next;
-            step.shift = (0.1 * step.shift).max(LEAST_SHIFT);
-            if promised <= PULLED_GAIN * reached.surface.area() {
-                break;
-            }
-        }
-        Ok(())
-    }
-
-    /// Where one such step leads, and the decrease it promised; none if no step does not enlarge the sum.
-    fn pulled_step(
-        &mut self,
-        here: &Known,
-        slopes: &[Point],
-        model: &Model,
-        step: &mut Pulled<'_>,
-    ) -> Result<Option<(Vec<Point>, f64)>, MethodError> {
-        let (topology, all) = (self.rules.space.topology(), self.all.clone());
-        let (half, pulls) = step.reach.pull(topology, &less(&here.x, step.towards));
-        let before = here.area() + step.share * half;
-        // The gradient of the area with the share of the squares, which is quadratic: its Hessian is the matrix itself.
-        let slopes: Vec<Point> = slopes.iter().zip(&pulls).map(|(&g, &pull)| g + pull * step.share).collect();
-        let gradient = all.gather(&slopes);
-        for _ in 0..TRIES {
-            all.shifted(topology, &self.hessians, (step.shift, &model.metrics), &mut self.shifted);
-            all.add_metrics(topology, step.share, &step.reach.squares, &mut self.shifted);
-            let factor = match all.condensation().factor(&self.shifted) {
-                Ok(factor) => factor,
-                Err(SolveError::NotPositiveDefinite { .. }) => {
-                    step.shift = step.shift.max(1e-8) * 6.0;
-                    continue;
-                }
-                Err(error) => return Err(error.into()),
-            };
-            let mut d = gradient.clone();
-            factor.solve(1, &mut d)?;
-            let x = less(&here.x, &all.scatter(&d));
-            self.evaluations += 1;
-            let fine = self.rules.fine(here.points, &x)?;
-            let after = fine.area + step.share * step.reach.pull(topology, &less(&x, step.towards)).0;
-            if after <= before * (1.0 + ROUNDING) {
-                let promised = 0.5 * d.iter().zip(&gradient).map(|(d, g)| d * g).sum::<f64>();
-                return Ok(Some((x, promised)));
-            }
-            step.shift = step.shift.max(1e-8) * 5.0;
-        }
-        Ok(None)
     }
 }
