@@ -32,15 +32,18 @@ pub struct Gt {
 }
 
 impl Gt {
+    /// Least and largest shape parameter: the functions of degree 2 are nonnegative exactly within (GT §2).
+    pub const SHAPES: (f64, f64) = (0.0, 4.0);
+
     /// The family of degree `degree` with shape parameters `[θ1, θ2]`.
     ///
     /// # Errors
-    /// [`BasisError::Degree`] below 2 or above 1000, [`BasisError::Shape`] outside [0, 4],
+    /// [`BasisError::Degree`] below 2 or above 1000, [`BasisError::Shape`] outside of [`Self::SHAPES`],
     /// [`BasisError::Dependent`] for (0, 0).
     pub fn new(degree: usize, shape: [f64; 2]) -> Result<Self, BasisError> {
         check_degree(degree)?;
         for (i, &value) in shape.iter().enumerate() {
-            if !(0.0..=4.0).contains(&value) {
+            if !(Self::SHAPES.0..=Self::SHAPES.1).contains(&value) {
                 return Err(BasisError::Shape { index: i + 1, value });
             }
         }

@@ -30,7 +30,7 @@
 //!
 //! | noun | here |
 //! |---|---|
-//! | families | [`Basis`]; [`Bernstein`], [`Gt`], [`Aht`], [`At`]; [`GtParts`] affine in the shape, [`nonnegative_shapes()`]; [`Stacked`] combinations; [`Nodal`] values at points |
+//! | families | [`Basis`], [`BasisFamily`] by name; [`Bernstein`], [`Gt`], [`Aht`], [`At`]; [`GtParts`] affine in the shape, [`nonnegative_shapes()`]; [`Stacked`] combinations; [`Nodal`] values at points |
 //! | functions that vanish at both ends | [`Lobatto`], [`GtBubbles`], [`GtBubbleParts`] affine in the shape |
 //! | integrals | [`GaussLegendre`], [`Samples`], [`gram()`] |
 //! | cutting a family in two | [`Subdivision`] |
@@ -44,6 +44,7 @@ mod basis;
 mod bernstein;
 mod double_double;
 mod error;
+mod family;
 mod gram;
 mod gt;
 mod gt_bubbles;
@@ -61,6 +62,7 @@ pub use at::At;
 pub use basis::Basis;
 pub use bernstein::Bernstein;
 pub use error::BasisError;
+pub use family::BasisFamily;
 pub use gram::{Samples, gram};
 pub use gt::{Gt, GtParts};
 pub use gt_bubbles::{GtBubbleParts, GtBubbles};

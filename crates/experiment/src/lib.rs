@@ -44,6 +44,7 @@ mod import;
 mod key_list;
 mod keys;
 mod limits;
+mod outlook;
 mod plan;
 mod run;
 mod schema;

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
-use plateau::DegreeLimit;
+use exchange::{Format, LengthUnit};
+use experiment::Template;
+use plateau::{BasisFamily, DegreeLimit, Functional};
 use sweep::Asked;
 
-use crate::values::{
-    Arithmetic, EnergyName, FamilyName, FileFormat, Kind, UnitName, accuracy, pair, seconds, share,
-};
+use crate::values::{Arithmetic, accuracy, energy, format, one_of, pair, seconds, share, template};
 
 /// Patches of least energy and least area over a given boundary.
 ///
@@ -58,7 +58,8 @@ pub(crate) enum Command {
     /// Print a commented experiment file to begin with
     New {
         /// The kind of experiment
-        kind: Kind,
+        #[arg(value_parser = template())]
+        kind: Template,
     },
     /// Draw what there is to see of the papers' functions, as SVG
     #[command(subcommand)]
@@ -131,8 +132,8 @@ pub(crate) struct ConditioningArguments {
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(3..=plateau::Conditioning::MAX_DEGREE as i64))]
     pub(crate) degree: u16,
     /// The energy of the extremals
-    #[arg(long, value_name = "ENERGY", default_value = "dirichlet")]
-    pub(crate) energy: EnergyName,
+    #[arg(long, value_name = "ENERGY", default_value = Functional::Dirichlet.name(), value_parser = energy())]
+    pub(crate) energy: Functional,
     /// The file to write; by default stdout
     #[arg(long, short, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
@@ -141,8 +142,8 @@ pub(crate) struct ConditioningArguments {
 /// What `draw region` takes.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RegionArguments {
-    /// Degree of the functions; may be given several times [default: 2, 3, 4, 6, 10]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=20))]
+    /// Degree of the functions; may be given several times
+    #[arg(long, value_name = "N", default_values_t = show::REGION_DEGREES)]
     pub(crate) degree: Vec<u16>,
     /// The file to write; by default stdout
     #[arg(long, short, value_name = "FILE")]
@@ -170,7 +171,8 @@ pub(crate) struct ConstructionArguments {
 #[derive(Debug, clap::Args)]
 pub(crate) struct BasisArguments {
     /// The family
-    pub(crate) family: FamilyName,
+    #[arg(value_parser = one_of(BasisFamily::NAMES))]
+    pub(crate) family: BasisFamily,
     /// Degree of the Bernstein or GT functions; AHT and AT have six
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=plateau::MAX_DEGREE as i64))]
     pub(crate) degree: u16,
@@ -256,8 +258,8 @@ pub(crate) struct FillArguments {
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) weld: Option<f64>,
     /// What the numbers are, for STEP files, which say so; they are written unchanged
-    #[arg(long, value_name = "UNIT", default_value = "mm")]
-    pub(crate) unit: UnitName,
+    #[arg(long, value_name = "UNIT", default_value = "mm", value_parser = one_of(LengthUnit::NAMED))]
+    pub(crate) unit: LengthUnit,
     /// Subdivisions of each side of a patch in meshes
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(1..=100))]
     pub(crate) mesh: u16,
@@ -290,8 +292,8 @@ pub(crate) struct ExportArguments {
     #[arg(value_name = "RESULT")]
     pub(crate) result: PathBuf,
     /// The format of the files
-    #[arg(long, value_name = "FORMAT")]
-    pub(crate) format: FileFormat,
+    #[arg(long, value_name = "FORMAT", value_parser = format())]
+    pub(crate) format: Format,
     /// The one method to write; by default all of them
     #[arg(long, value_name = "NAME")]
     pub(crate) method: Option<String>,
@@ -302,8 +304,8 @@ pub(crate) struct ExportArguments {
     #[arg(long, value_name = "T", default_value_t = exchange::DEFAULT_TOLERANCE, value_parser = share)]
     pub(crate) tolerance: f64,
     /// STEP: what the numbers are; they are written unchanged
-    #[arg(long, value_name = "UNIT", default_value = "mm")]
-    pub(crate) unit: UnitName,
+    #[arg(long, value_name = "UNIT", default_value = "mm", value_parser = one_of(LengthUnit::NAMED))]
+    pub(crate) unit: LengthUnit,
     /// The file to write, for a single method; by default files beside the result, named after their methods
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

@@ -27,8 +27,8 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
             chosen.len()
         )));
     }
-    let format = arguments.format.0;
-    let step = StepForm { tolerance: arguments.tolerance, unit: arguments.unit.0 };
+    let format = arguments.format;
+    let step = StepForm { tolerance: arguments.tolerance, unit: arguments.unit };
     let folder = result.parent().unwrap_or(Path::new(""));
     let mut sound = true;
     for method in chosen {

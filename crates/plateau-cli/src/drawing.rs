@@ -1,6 +1,5 @@
 //! `draw`: pictures that need no experiment.
 
-use std::f64::consts::{PI, TAU};
 use std::fmt::Display;
 use std::io::Write;
 use std::path::Path;
@@ -8,21 +7,44 @@ use std::path::Path;
 use plateau::CurveBasis;
 use record::Destination;
 
-use crate::command::{
-    BasisArguments, ConditioningArguments, ConstructionArguments, Drawing, RegionArguments,
-};
+use crate::command::{BasisArguments, Drawing};
 use crate::failure::Failure;
 use crate::terminal::say;
-use crate::values::FamilyName;
 
 /// Draws to the file that was asked for, or to stdout.
 pub(crate) fn draw(drawing: &Drawing, stdout: &mut impl Write) -> Result<(), Failure> {
-    let (picture, out) = match drawing {
-        Drawing::Basis(arguments) => (basis(arguments), &arguments.out),
-        Drawing::Construction(arguments) => (construction(arguments), &arguments.out),
-        Drawing::Conditioning(arguments) => (conditioning(arguments), &arguments.out),
-        Drawing::Region(arguments) => (region(arguments), &arguments.out),
-    };
+    match drawing {
+        Drawing::Basis(arguments) => {
+            let BasisArguments { family, shape, span, .. } = arguments;
+            let bases = CurveBasis::of_family(*family, shape, span);
+            let picture = bases.and_then(|bases| show::basis_functions(&bases, arguments.degree.into()));
+            deliver(picture, arguments.out.as_deref(), stdout)
+        }
+        Drawing::Construction(arguments) => {
+            let (span, gamma, beta) = show::AT_FIGURE_6;
+            let picture = show::construction(
+                arguments.span.unwrap_or(span),
+                arguments.gamma.unwrap_or(gamma),
+                arguments.beta.unwrap_or(beta),
+            );
+            deliver(picture, arguments.out.as_deref(), stdout)
+        }
+        Drawing::Conditioning(arguments) => {
+            let picture = show::conditioning(arguments.energy, arguments.degree.into());
+            deliver(picture, arguments.out.as_deref(), stdout)
+        }
+        Drawing::Region(arguments) => {
+            let degrees: Vec<usize> = arguments.degree.iter().map(|&degree| degree.into()).collect();
+            deliver(show::nonnegativity_region(&degrees), arguments.out.as_deref(), stdout)
+        }
+    }
+}
+
+fn deliver(
+    picture: Result<String, impl Display>,
+    out: Option<&Path>,
+    stdout: &mut impl Write,
+) -> Result<(), Failure> {
     let picture = picture.map_err(|why| refused(&why))?;
     match out {
         None => Ok(stdout.write_all(picture.as_bytes())?),
@@ -42,45 +64,4 @@ fn write(picture: &str, path: &Path) -> Result<(), Failure> {
 fn refused(why: &dyn Display) -> Failure {
     say(&format!("error: {why}"));
     Failure::Input
-}
-
-fn construction(arguments: &ConstructionArguments) -> Result<String, String> {
-    let span = arguments.span.unwrap_or(1.25 * PI);
-    let (gamma, beta) = (arguments.gamma.unwrap_or([TAU, 2.0 * TAU]), arguments.beta.unwrap_or([1.0, 1.0]));
-    show::construction(span, gamma, beta).map_err(|error| error.to_string())
-}
-
-fn conditioning(arguments: &ConditioningArguments) -> Result<String, String> {
-    show::conditioning(arguments.energy.0, arguments.degree.into()).map_err(|error| error.to_string())
-}
-
-fn region(arguments: &RegionArguments) -> Result<String, String> {
-    let degrees: Vec<usize> = match arguments.degree.as_slice() {
-        [] => vec![2, 3, 4, 6, 10],
-        given => given.iter().map(|&degree| degree.into()).collect(),
-    };
-    show::nonnegativity_region(&degrees).map_err(|error| error.to_string())
-}
-
-fn basis(arguments: &BasisArguments) -> Result<String, String> {
-    show::basis_functions(&bases(arguments)?, arguments.degree.into()).map_err(|error| error.to_string())
-}
-
-/// The bases that the arguments name, at least one.
-fn bases(arguments: &BasisArguments) -> Result<Vec<CurveBasis>, &'static str> {
-    let BasisArguments { family, shape, span, .. } = arguments;
-    let spans = |default: f64| if span.is_empty() { vec![default] } else { span.clone() };
-    match family {
-        FamilyName::Bernstein | FamilyName::Gt if !span.is_empty() => {
-            Err("--span is for aht and at; Bernstein and GT functions live on [0, 1]")
-        }
-        FamilyName::Bernstein | FamilyName::Aht | FamilyName::At if !shape.is_empty() => {
-            Err("--shape is for gt; the other functions have no shape parameters")
-        }
-        FamilyName::Bernstein => Ok(vec![CurveBasis::Bernstein]),
-        FamilyName::Gt if shape.is_empty() => Ok(vec![CurveBasis::Gt { shape: [1.0, 1.0] }]),
-        FamilyName::Gt => Ok(shape.iter().map(|&shape| CurveBasis::Gt { shape }).collect()),
-        FamilyName::Aht => Ok(spans(TAU).into_iter().map(|span| CurveBasis::Aht { span }).collect()),
-        FamilyName::At => Ok(spans(PI).into_iter().map(|span| CurveBasis::At { span }).collect()),
-    }
 }

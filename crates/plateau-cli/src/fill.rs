@@ -39,7 +39,7 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     let filled = Filled { filling: &filling, fill: &fill, film: &film, title: &title };
     let mut sound = true;
     for output in &outputs {
-        sound &= output.written(&filled, arguments.unit.0, &name)?;
+        sound &= output.written(&filled, arguments.unit, &name)?;
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
 }

@@ -15,7 +15,6 @@ mod batch;
 mod check;
 mod command;
 mod conversion;
-mod costs;
 mod drawing;
 mod failure;
 mod fill;
@@ -64,7 +63,7 @@ fn perform(command: Command, stdout: &mut impl Write) -> Result<(), Failure> {
         Command::Fill(arguments) => fill::fill(&arguments, stdout),
         Command::Import(arguments) => conversion::import(&arguments, stdout),
         Command::Export(arguments) => conversion::export(&arguments, stdout),
-        Command::New { kind } => Ok(stdout.write_all(kind.0.text().as_bytes())?),
+        Command::New { kind } => Ok(stdout.write_all(kind.text().as_bytes())?),
         Command::Draw(drawing) => drawing::draw(&drawing, stdout),
         Command::Completions { shell } => manual::completions(shell, stdout),
         Command::Man => manual::man(stdout),

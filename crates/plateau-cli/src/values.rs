@@ -1,8 +1,10 @@
 //! The values of arguments, each as it is typed.
 
 use clap::ValueEnum;
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use exchange::Format;
 use experiment::Template;
+use plateau::Functional;
 
 /// Two numbers with a comma between them.
 pub(crate) fn pair(text: &str) -> Result<[f64; 2], String> {
@@ -41,83 +43,27 @@ pub(crate) fn share(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A family of functions of one variable.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(crate) enum FamilyName {
-    Bernstein,
-    Gt,
-    Aht,
-    At,
+/// One of a table of names, as help and completion list them.
+pub(crate) fn one_of<T: Clone + Send + Sync + 'static>(
+    table: impl IntoIterator<Item = (&'static str, T)>,
+) -> impl TypedValueParser<Value = T> {
+    let table: Vec<(&'static str, T)> = table.into_iter().collect();
+    let names: Vec<&'static str> = table.iter().map(|(name, _)| *name).collect();
+    PossibleValuesParser::new(names).try_map(move |word| {
+        let found = table.iter().find(|(name, _)| *name == word);
+        // Clap has refused all other words.
+        found.map(|(_, meaning)| meaning.clone()).ok_or("this is none of the names")
+    })
 }
 
 /// A quadratic energy by its name.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct EnergyName(pub(crate) plateau::Functional);
-
-impl ValueEnum for EnergyName {
-    fn value_variants<'a>() -> &'a [Self] {
-        static ENERGIES: [EnergyName; plateau::Functional::ALL.len()] = {
-            let mut energies = [EnergyName(plateau::Functional::ALL[0]); plateau::Functional::ALL.len()];
-            let mut k = 0;
-            while k < energies.len() {
-                energies[k] = EnergyName(plateau::Functional::ALL[k]);
-                k += 1;
-            }
-            energies
-        };
-        &ENERGIES
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.0.name()))
-    }
+pub(crate) fn energy() -> impl TypedValueParser<Value = Functional> {
+    one_of(Functional::ALL.map(|energy| (energy.name(), energy)))
 }
 
 /// A file format by its name.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FileFormat(pub(crate) exchange::Format);
-
-impl ValueEnum for FileFormat {
-    fn value_variants<'a>() -> &'a [Self] {
-        static FORMATS: [FileFormat; exchange::Format::ALL.len()] = {
-            let mut formats = [FileFormat(exchange::Format::ALL[0]); exchange::Format::ALL.len()];
-            let mut k = 0;
-            while k < formats.len() {
-                formats[k] = FileFormat(exchange::Format::ALL[k]);
-                k += 1;
-            }
-            formats
-        };
-        &FORMATS
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.0.name()))
-    }
-}
-
-/// A unit of length by its name.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct UnitName(pub(crate) exchange::LengthUnit);
-
-impl ValueEnum for UnitName {
-    fn value_variants<'a>() -> &'a [Self] {
-        static UNITS: [UnitName; exchange::LengthUnit::NAMED.len()] = {
-            let mut units = [UnitName(exchange::LengthUnit::Millimetre); exchange::LengthUnit::NAMED.len()];
-            let mut k = 0;
-            while k < units.len() {
-                units[k] = UnitName(exchange::LengthUnit::NAMED[k].1);
-                k += 1;
-            }
-            units
-        };
-        &UNITS
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, _) = exchange::LengthUnit::NAMED.into_iter().find(|(_, unit)| *unit == self.0)?;
-        Some(PossibleValue::new(name))
-    }
+pub(crate) fn format() -> impl TypedValueParser<Value = Format> {
+    one_of(Format::ALL.map(|format| (format.name(), format)))
 }
 
 /// Which instructions the search may use.
@@ -142,25 +88,13 @@ impl From<Arithmetic> for plateau::Arithmetic {
 }
 
 /// A template's name; `patch` is another word for `tensor`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Kind(pub(crate) Template);
-
-impl ValueEnum for Kind {
-    fn value_variants<'a>() -> &'a [Self] {
-        static KINDS: [Kind; Template::ALL.len()] = {
-            let mut kinds = [Kind(Template::Tensor); Template::ALL.len()];
-            let mut k = 0;
-            while k < kinds.len() {
-                kinds[k] = Kind(Template::ALL[k]);
-                k += 1;
-            }
-            kinds
-        };
-        &KINDS
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let value = PossibleValue::new(self.0.name()).help(self.0.summary());
-        Some(if self.0 == Template::Tensor { value.alias("patch") } else { value })
-    }
+pub(crate) fn template() -> impl TypedValueParser<Value = Template> {
+    let values = Template::ALL.map(|template| {
+        let value = PossibleValue::new(template.name()).help(template.summary());
+        if template == Template::Tensor { value.alias("patch") } else { value }
+    });
+    PossibleValuesParser::new(values).try_map(|word| {
+        let named = Template::ALL.into_iter().find(|template| template.name() == word);
+        named.or((word == "patch").then_some(Template::Tensor)).ok_or("this is none of the names")
+    })
 }

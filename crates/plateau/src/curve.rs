@@ -1,11 +1,9 @@
 //! A curve sampled with its derivatives and its curvature.
 
-use std::sync::Arc;
-
-use bases::{Aht, At, Basis, Bernstein, GaussLegendre, Gt, Matrix};
+use bases::{GaussLegendre, Matrix};
 use surfaces::{CurveJet, Point};
 
-use crate::{MethodError, Warning};
+use crate::{CurveBasis, MethodError, Warning};
 
 /// One planar or space curve with control points, and the parameters at which it is sampled.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,63 +71,6 @@ impl Curve {
     #[must_use]
     pub fn samples(&self) -> &[f64] {
         &self.samples
-    }
-}
-
-/// The basis of a curve.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CurveBasis {
-    /// Bernstein polynomials on [0, 1].
-    Bernstein,
-    /// GT functions on [0, 1] (GT).
-    Gt {
-        /// Shape parameters (θ1, θ2), each in [0, 4], not both zero.
-        shape: [f64; 2],
-    },
-    /// Algebraic–hyperbolic–trigonometric functions of order 6 on [0, span] (AHT).
-    Aht {
-        /// Right end of the domain, below `bases::Aht::SUPREMUM`.
-        span: f64,
-    },
-    /// Algebraic–trigonometric functions of order 6 on [0, span] (AT).
-    At {
-        /// Right end of the domain, below `bases::At::SUPREMUM`, 2π.
-        span: f64,
-    },
-}
-
-impl CurveBasis {
-    /// The interval on which the basis lives.
-    #[must_use]
-    pub fn domain(&self) -> [f64; 2] {
-        match *self {
-            Self::Bernstein | Self::Gt { .. } => [0.0, 1.0],
-            Self::Aht { span } | Self::At { span } => [0.0, span],
-        }
-    }
-
-    /// Its functions of degree `degree`, one more than the degree; AHT and AT have six whatever it is.
-    ///
-    /// # Errors
-    /// [`MethodError::Basis`] for a degree or parameters that the family does not have.
-    pub fn functions(&self, degree: usize) -> Result<Arc<dyn Basis>, MethodError> {
-        Ok(match *self {
-            Self::Bernstein => Arc::new(Bernstein::new(degree)?),
-            Self::Gt { shape } => Arc::new(Gt::new(degree, shape)?),
-            Self::Aht { span } => Arc::new(Aht::new(span)?),
-            Self::At { span } => Arc::new(At::new(span)?),
-        })
-    }
-
-    /// In words, with its parameters: `GT, degree 3, θ = (1, 2)`.
-    #[must_use]
-    pub fn described(&self, degree: usize) -> String {
-        match *self {
-            Self::Bernstein => format!("Bernstein, degree {degree}"),
-            Self::Gt { shape: [first, second] } => format!("GT, degree {degree}, θ = ({first}, {second})"),
-            Self::Aht { span } => format!("AHT, span {span}"),
-            Self::At { span } => format!("AT, span {span}"),
-        }
     }
 }
 
@@ -243,15 +184,12 @@ impl CurveResult {
         if !singular.is_empty() {
             warnings.push(Warning::CurveSingular { at: singular });
         }
-        let bound = match self.curve.basis {
-            CurveBasis::Aht { span } => Some((span, Aht::SUPREMUM, "AHT")),
-            CurveBasis::At { span } => Some((span, At::SUPREMUM, "AT")),
-            CurveBasis::Bernstein | CurveBasis::Gt { .. } => None,
-        };
-        if let Some((span, bound, basis)) = bound
+        let basis = self.curve.basis;
+        let [_, span] = basis.domain();
+        if let Some(bound) = basis.family().spans().map(|spans| spans.end)
             && span > 0.95 * bound
         {
-            warnings.push(Warning::CurveNearBound { span, bound, basis });
+            warnings.push(Warning::CurveNearBound { span, bound, basis: basis.family().title() });
         }
         let [length, error] = self.length;
         if error > 1e-9 * length {

@@ -1,26 +1,46 @@
 //! Curves by formula: functions of the AHT and AT spaces, whose control points follow from their ends.
 
-use bases::{Aht, At};
+use bases::BasisFamily;
 
-use crate::CurveBasis;
+/// The enum, its list, which no variant can be left out of, and the names.
+macro_rules! curve_functions {
+    ($($(#[$meaning:meta])* $variant:ident = $name:literal;)*) => {
+        /// A curve by its name, over 0 ≤ t ≤ span.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum CurveFunction {
+            $($(#[$meaning])* $variant,)*
+        }
 
-/// A curve by its name, over 0 ≤ t ≤ span.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CurveFunction {
+        impl CurveFunction {
+            /// Every curve with its name.
+            pub const NAMES: [(&'static str, Self); [$($name),*].len()] = [$(($name, Self::$variant)),*];
+
+            /// Its name in files.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)*
+                }
+            }
+        }
+    };
+}
+
+curve_functions! {
     /// (cos t, sin t).
-    Circle,
+    Circle = "circle";
     /// (cos t, sin t, t).
-    Helix,
+    Helix = "helix";
     /// (t − sin t, 1 − cos t).
-    Cycloid,
+    Cycloid = "cycloid";
     /// (t cos t, t sin t), the spiral of Archimedes.
-    Spiral,
+    Spiral = "spiral";
     /// (t cos t, t sin t, t), AT Figure 1.
-    ConicalSpiral,
+    ConicalSpiral = "conical-spiral";
     /// (t, cosh t).
-    Catenary,
+    Catenary = "catenary";
     /// (cosh t, sinh t), a branch of a hyperbola.
-    Hyperbola,
+    Hyperbola = "hyperbola";
 }
 
 /// Point, first and second derivative of a curve.
@@ -36,16 +56,13 @@ impl CurveFunction {
         }
     }
 
-    /// Whether it lies in the space of the functions, so that they give it exactly.
+    /// The families in whose space it lies, so that they give it exactly.
     #[must_use]
-    pub fn is_in(self, basis: &CurveBasis) -> bool {
-        match (self, basis) {
-            (_, CurveBasis::Bernstein | CurveBasis::Gt { .. }) => false,
-            (Self::Circle | Self::Helix | Self::Cycloid, CurveBasis::Aht { .. } | CurveBasis::At { .. }) => {
-                true
-            }
-            (Self::Spiral | Self::ConicalSpiral, basis) => matches!(basis, CurveBasis::At { .. }),
-            (Self::Catenary | Self::Hyperbola, basis) => matches!(basis, CurveBasis::Aht { .. }),
+    pub const fn families(self) -> &'static [BasisFamily] {
+        match self {
+            Self::Circle | Self::Helix | Self::Cycloid => &[BasisFamily::Aht, BasisFamily::At],
+            Self::Spiral | Self::ConicalSpiral => &[BasisFamily::At],
+            Self::Catenary | Self::Hyperbola => &[BasisFamily::Aht],
         }
     }
 
@@ -67,47 +84,19 @@ impl CurveFunction {
     }
 }
 
-impl CurveBasis {
-    /// The six control points of the one curve in the space of the AHT or AT functions that has these ends. None for Bernstein and GT, whose
-    /// spaces depend on the degree, and for a span that the family does not have.
-    #[must_use]
-    pub fn control_points(&self, [start, end]: [CurveEnd; 2]) -> Option<Vec<[f64; 3]>> {
-        let coordinate = |d: usize| -> Option<[f64; 6]> {
-            let jets = [start.map(|p| p[d]), end.map(|p| p[d])];
-            match *self {
-                Self::Aht { span } => Aht::new(span).ok().map(|basis| basis.control_values(jets)),
-                Self::At { span } => At::new(span).ok().map(|basis| basis.control_values(jets)),
-                Self::Bernstein | Self::Gt { .. } => None,
-            }
-        };
-        let (x, y, z) = (coordinate(0)?, coordinate(1)?, coordinate(2)?);
-        Some((0..6).map(|k| [x[k], y[k], z[k]]).collect())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{Curve, sample};
-
-    const ALL: [CurveFunction; 7] = [
-        CurveFunction::Circle,
-        CurveFunction::Helix,
-        CurveFunction::Cycloid,
-        CurveFunction::Spiral,
-        CurveFunction::ConicalSpiral,
-        CurveFunction::Catenary,
-        CurveFunction::Hyperbola,
-    ];
+    use crate::{Curve, CurveBasis, sample};
 
     proptest! {
         #[test]
         fn the_control_points_give_the_function_where_it_is_in_the_space(span in 0.01..6.0f64, share in 0.0..1.0f64) {
             let mut exact = 0;
             for basis in [CurveBasis::Aht { span }, CurveBasis::At { span }] {
-                for function in ALL {
+                for (_, function) in CurveFunction::NAMES {
                     let points = basis.control_points([function.jet(0.0), function.jet(span)]).unwrap();
                     let points = points.into_iter().map(surfaces::Point::from).collect();
                     let curve = Curve::new(basis, points, vec![share * span]).unwrap();
@@ -115,7 +104,7 @@ mod tests {
                     let [point, d1, d2] = function.jet(share * span);
                     let scale = span.exp();
                     let near = |a: surfaces::Point, b: [f64; 3], by: f64| a.distance(b.into()) <= by * scale;
-                    if function.is_in(&basis) {
+                    if function.families().contains(&basis.family()) {
                         exact += 1;
                         prop_assert!(near(found.point, point, 1e-13), "{function:?} {basis:?}");
                         prop_assert!(near(found.d1, d1, 1e-12 / span) && near(found.d2, d2, 1e-11 / span / span));
@@ -136,7 +125,10 @@ mod tests {
             let points = points.into_iter().map(surfaces::Point::from).collect();
             let curve = Curve::new(basis, points, vec![2.5]).unwrap();
             let found = sample(&curve).unwrap().jets[0];
-            assert!(!function.is_in(&basis) && found.point.distance(function.jet(2.5)[0].into()) > 1e-3);
+            assert!(
+                !function.families().contains(&basis.family())
+                    && found.point.distance(function.jet(2.5)[0].into()) > 1e-3
+            );
         }
         assert!(CurveBasis::Bernstein.control_points([CurveFunction::Circle.jet(0.0); 2]).is_none());
     }

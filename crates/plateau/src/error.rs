@@ -1,3 +1,4 @@
+use bases::BasisFamily;
 use surfaces::Point;
 use thiserror::Error;
 
@@ -180,6 +181,12 @@ pub enum MethodError {
         /// Its value.
         value: f64,
     },
+    /// Parameters that a family of functions does not have.
+    #[error("{} functions have no such parameter: {}", family.title(), parameters(*family))]
+    Parameters {
+        /// The family.
+        family: BasisFamily,
+    },
     /// A parameter at which a curve is not defined.
     #[error("the curve lives between {start} and {end}, and has no point at {t}")]
     Sample {
@@ -236,6 +243,16 @@ pub enum MethodError {
         /// What there is.
         given: &'static str,
     },
+}
+
+/// Which parameters a family has.
+fn parameters(family: BasisFamily) -> &'static str {
+    match (family.has_shape(), family.spans().is_some()) {
+        (false, false) => "they have none beside their degree",
+        (true, false) => "a shape (θ1, θ2) is theirs; they live on [0, 1]",
+        (false, true) => "the length of their interval is theirs, and no shape",
+        (true, true) => "a shape and the length of their interval are theirs",
+    }
 }
 
 /// Degree from which a matrix that is not positive definite is so by its degree alone.

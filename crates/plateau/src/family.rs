@@ -1,54 +1,60 @@
 //! The functions a surface is made of.
 
+use bases::BasisFamily;
 use surfaces::ShapedFamily;
 
-/// A kind of surface by the functions that weigh its control points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Family {
+/// The enum and the list of its variants, which none can be left out of, with what `result.json` calls them.
+macro_rules! families {
+    ($($(#[$meaning:meta])* $variant:ident = $patch:expr, $basis:ident;)*) => {
+        /// A kind of surface by the functions that weigh its control points.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Family {
+            $($(#[$meaning])* $variant,)*
+            /// A family of tensor patches with shape parameters.
+            Shaped(ShapedFamily),
+        }
+
+        impl Family {
+            /// Every family.
+            pub fn all() -> impl Iterator<Item = Self> {
+                [$(Self::$variant),*].into_iter().chain(ShapedFamily::ALL.into_iter().map(Self::Shaped))
+            }
+
+            /// `patch` and `basis` as `result.json` writes them.
+            #[must_use]
+            pub fn names(self) -> (&'static str, &'static str) {
+                match self {
+                    $(Self::$variant => ($patch, BasisFamily::$basis.name()),)*
+                    Self::Shaped(family) => family.names(),
+                }
+            }
+
+            /// The names of its shape parameters, those in u before those in v.
+            #[must_use]
+            pub fn parameters(self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$variant => &[],)*
+                    Self::Shaped(family) => family.parameters(),
+                }
+            }
+        }
+    };
+}
+
+families! {
     /// Tensor products of Bernstein polynomials.
-    Bernstein,
-    /// A family of tensor patches with shape parameters.
-    Shaped(ShapedFamily),
+    Bernstein = ShapedFamily::TENSOR, Bernstein;
     /// Bernstein polynomials of a triangle.
-    Triangle,
+    Triangle = "triangle", Bernstein;
     /// Algebraic–hyperbolic–trigonometric functions of order 6 in both directions (AHT).
-    Aht,
+    Aht = ShapedFamily::TENSOR, Aht;
     /// Degree 1 in u, algebraic–trigonometric functions of order 6 in v (AT).
-    At,
+    At = ShapedFamily::TENSOR, At;
     /// Tensor products of Bernstein polynomials on faces that share edges.
-    Complex,
+    Complex = "complex", Bernstein;
 }
 
 impl Family {
-    /// Every family.
-    pub fn all() -> impl Iterator<Item = Self> {
-        let shaped = ShapedFamily::ALL.into_iter().map(Self::Shaped);
-        let others = [Self::Triangle, Self::Aht, Self::At, Self::Complex];
-        [Self::Bernstein].into_iter().chain(shaped).chain(others)
-    }
-
-    /// The names of its shape parameters, those in u before those in v.
-    #[must_use]
-    pub fn parameters(self) -> &'static [&'static str] {
-        match self {
-            Self::Shaped(family) => family.parameters(),
-            Self::Bernstein | Self::Triangle | Self::Aht | Self::At | Self::Complex => &[],
-        }
-    }
-
-    /// `patch` and `basis` as `result.json` writes them.
-    #[must_use]
-    pub fn names(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Bernstein => ("tensor", "bernstein"),
-            Self::Shaped(family) => family.names(),
-            Self::Triangle => ("triangle", "bernstein"),
-            Self::Aht => ("tensor", "aht"),
-            Self::At => ("tensor", "at"),
-            Self::Complex => ("complex", "bernstein"),
-        }
-    }
-
     /// The family with these names.
     #[must_use]
     pub fn named(patch: &str, basis: &str) -> Option<Self> {

@@ -36,7 +36,7 @@
 //! |---|---|
 //! | boundaries | [`Boundary`]: [`TensorBoundary`], [`OppositeSides`] in a [`Direction`], [`TriangleBoundary`]; [`Corner`], [`Gap`], [`BoundaryError`], [`Degeneracy`]; [`MAX_DEGREE`], [`MAX_COORDINATE`], [`MIN_SIZE`] |
 //! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`], [`Conditioning`], [`nonnegative_shapes()`]; [`Energy`], [`SearchEnergy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
-//! | numbers for people | [`Notation`], [`counted()`] |
+//! | numbers for people | [`Notation`], [`counted()`], [`rough_duration()`] |
 //! | running one | [`Context`], [`Arithmetic`], [`MethodError`] |
 //! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
 //! | results | [`Results`], [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
@@ -62,6 +62,7 @@ mod corners;
 mod cost;
 mod crossing;
 mod curve;
+mod curve_basis;
 mod curve_function;
 mod cutting;
 mod degeneracy;
@@ -97,7 +98,7 @@ mod trust;
 mod warning;
 
 pub use arithmetic::Arithmetic;
-pub use bases::nonnegative_shapes;
+pub use bases::{BasisFamily, nonnegative_shapes};
 pub use boundary::{
     Boundary, BoundaryError, Corner, Direction, Gap, MAX_COORDINATE, MAX_DEGREE, MIN_SIZE, OppositeSides,
     TensorBoundary, TriangleBoundary,
@@ -108,7 +109,8 @@ pub use conditioning::Conditioning;
 pub use context::Context;
 pub use corners::odd_corners;
 pub use cost::Cost;
-pub use curve::{Curve, CurveBasis, CurveResult, sample};
+pub use curve::{Curve, CurveResult, sample};
+pub use curve_basis::CurveBasis;
 pub use curve_function::{CurveEnd, CurveFunction};
 pub use cutting::{CurveGraph, CutBoundary, Cutting, CuttingError, FaceSide, GraphCurve, Loop, Way};
 pub use degeneracy::Degeneracy;
@@ -136,7 +138,7 @@ pub use method::{
     SolverChoice, TOLERANCES, TensorInterior, TriangleInterior,
 };
 pub use nearest_curve::{NearestCurve, NearestCurveError};
-pub use number::{Notation, counted};
+pub use number::{Notation, counted, rough_duration};
 pub use outcome::{MethodResult, Results};
 pub use own_net::{NetBasis, OrderSix, OwnNet, of_net};
 pub use progress::Progress;

@@ -76,6 +76,16 @@ pub fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
+/// Seconds by one digit, in words, for what is known within a factor of a few: `10 s`, `80 min`, `2 h`; never less than `1 s`.
+#[must_use]
+pub fn rough_duration(seconds: f64) -> String {
+    const UNITS: [(f64, &str); 4] = [(86400.0, "days"), (3600.0, "h"), (60.0, "min"), (1.0, "s")];
+    let (unit, name) = UNITS.into_iter().find(|(unit, _)| seconds >= 2.0 * unit).unwrap_or((1.0, "s"));
+    let count = (seconds / unit).max(1.0);
+    let digit = 10f64.powf(count.log10().floor());
+    format!("{:.0} {name}", (count / digit).round() * digit)
+}
+
 fn decade(x: f64) -> i32 {
     // That of print, which no rounding of a logarithm moves.
     format!("{x:e}").rsplit_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
@@ -130,6 +140,12 @@ fn power_of_ten(n: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn seconds_are_told_by_one_digit_in_the_unit_that_suits() {
+        let told = [0.2, 1.0, 14.9, 119.0, 121.0, 5000.0, 8000.0, 1e6].map(rough_duration);
+        assert_eq!(told, ["1 s", "1 s", "10 s", "100 s", "2 min", "80 min", "2 h", "10 days"]);
+    }
 
     #[test]
     fn numbers_stay_readable_at_any_size() {

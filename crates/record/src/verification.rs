@@ -15,6 +15,7 @@ use plateau::{Arithmetic, MethodError, Progress};
 mod compare;
 mod difference;
 mod mode;
+mod report;
 
 pub use difference::{Difference, Level, Verified};
 

@@ -30,8 +30,8 @@ pub use curvature_colours::by_mean_curvature;
 pub use film::{RimSource, film_figures};
 pub use page::{About, Comparison, Study, StudyRow, Verdict, page, study_page};
 pub use picture::{
-    Multiples, PICTURES, Panel, Picture, basis_functions, conditioning, construction, multiples,
-    nonnegativity_region, pictures,
+    AT_FIGURE_6, Multiples, PICTURES, Panel, Picture, REGION_DEGREES, basis_functions, conditioning,
+    construction, multiples, nonnegativity_region, pictures,
 };
 pub use printable::{Printable, stand_ins, width_of_names};
 pub use scene::Scene;

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use bases::{Basis, BasisError, GtBubbles, GtParts, Lobatto, Matrix, Stacked};
+use bases::{Basis, BasisError, BasisFamily, Gt, GtBubbles, GtParts, Lobatto, Matrix, Stacked};
 
 use crate::{Net, Product, SurfaceError, TensorPatch, bernstein_less_blend, end_blend, tb_coons};
 
@@ -76,19 +76,23 @@ impl ShapeFactor {
 }
 
 impl ShapedFamily {
+    /// The word of tensor products.
+    pub const TENSOR: &'static str = "tensor";
+
     /// The words of the kinds of tensor patches; those of blends with their families.
     pub const PATCHES: [(&'static str, Option<Self>); 2] =
-        [("tensor", None), ("tb-coons", Some(Self::TbCoons))];
+        [(Self::TENSOR, None), (Self::TbCoons.names().0, Some(Self::TbCoons))];
 
     /// The words of the bases of tensor products; all but Bernstein polynomials with their families.
-    pub const BASES: [(&'static str, Option<Self>); 2] = [("bernstein", None), ("gt", Some(Self::Gt))];
+    pub const BASES: [(&'static str, Option<Self>); 2] =
+        [(BasisFamily::Bernstein.name(), None), (Self::Gt.names().1, Some(Self::Gt))];
 
     /// The words of the kind of patch and of the basis.
     #[must_use]
     pub const fn names(self) -> (&'static str, &'static str) {
         match self {
-            Self::Gt => ("tensor", "gt"),
-            Self::TbCoons => ("tb-coons", "gt"),
+            Self::Gt => (Self::TENSOR, BasisFamily::Gt.name()),
+            Self::TbCoons => ("tb-coons", BasisFamily::Gt.name()),
         }
     }
 
@@ -113,9 +117,21 @@ impl ShapedFamily {
     #[must_use]
     pub const fn range(self) -> (f64, f64) {
         match self {
-            Self::Gt | Self::TbCoons => (0.0, 4.0),
+            Self::Gt | Self::TbCoons => Gt::SHAPES,
         }
     }
+
+    /// The smallest range that holds the parameters of every family.
+    pub const WIDEST_RANGE: (f64, f64) = {
+        let (mut least, mut most) = Self::ALL[0].range();
+        let mut k = 1;
+        while k < Self::ALL.len() {
+            let (from, to) = Self::ALL[k].range();
+            (least, most) = (least.min(from), most.max(to));
+            k += 1;
+        }
+        (least, most)
+    };
 
     /// The least degree in each direction.
     #[must_use]

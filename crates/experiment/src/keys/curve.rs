@@ -1,6 +1,6 @@
 //! `[curve]`: one curve, sampled.
 
-use bases::{Aht, At};
+use bases::{Aht, At, BasisFamily, Gt};
 use plateau::{CurveFunction, MAX_DEGREE};
 use serde_json::{Map, Value as Json, json};
 use serde_spanned::Spanned;
@@ -17,15 +17,6 @@ const ONE_FORM: &str = "a curve is given by one of points, function, ends; the l
 
 /// Most samples of a curve.
 const MOST_SAMPLES: usize = 100_000;
-
-/// The basis of a curve, without its parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Family {
-    Bernstein,
-    Gt,
-    Aht,
-    At,
-}
 
 /// The samples of a curve: parameters, or how many equally spaced ones.
 #[derive(Clone, Copy)]
@@ -78,7 +69,7 @@ pub(crate) struct Shapes;
 /// A pair of shape parameters.
 pub(crate) type Pair = Vec<Spanned<f64>>;
 
-const PAIR: Reals = Reals::exactly(2, Interval::between(0.0, 4.0));
+const PAIR: Reals = Reals::exactly(2, Interval::between(Gt::SHAPES.0, Gt::SHAPES.1));
 const PAIRS: List<Reals> =
     List { each: PAIR, least: 1, most: MOST_SHAPES, example: "[[0.5, 0.5], [1.0, 2.0]]" };
 
@@ -110,10 +101,9 @@ impl Kind for Shapes {
 }
 
 /// The families of functions by their words.
-pub(super) const FAMILIES: Name<Family> =
-    Name(&[("bernstein", Family::Bernstein), ("gt", Family::Gt), ("aht", Family::Aht), ("at", Family::At)]);
+pub(super) const FAMILIES: Name<BasisFamily> = Name(&BasisFamily::NAMES);
 
-pub(crate) static BASIS: Key<Name<Family>> =
+pub(crate) static BASIS: Key<Name<BasisFamily>> =
     Key::new("basis", FAMILIES, "the basis of the control points: \"bernstein\", \"gt\", \"aht\" or \"at\"")
         .required()
         .such_as("\"gt\"");
@@ -139,15 +129,7 @@ pub(crate) static POINTS: Key<Points> = Key::new(
 .hint(ONE_FORM);
 pub(crate) static FUNCTION: Key<Name<CurveFunction>> = Key::new(
     "function",
-    Name(&[
-        ("circle", CurveFunction::Circle),
-        ("helix", CurveFunction::Helix),
-        ("cycloid", CurveFunction::Cycloid),
-        ("spiral", CurveFunction::Spiral),
-        ("conical-spiral", CurveFunction::ConicalSpiral),
-        ("catenary", CurveFunction::Catenary),
-        ("hyperbola", CurveFunction::Hyperbola),
-    ]),
+    Name(&CurveFunction::NAMES),
     "instead of control points a curve by its formula over [0, span], given exactly: circle (cos t, sin t), helix (cos t, sin t, t) and cycloid \
      (t − sin t, 1 − cos t) by \"aht\" and \"at\", spiral (t cos t, t sin t) and conical spiral (t cos t, t sin t, t) by \"at\", catenary \
      (t, cosh t) and hyperbola (cosh t, sinh t) by \"aht\"",

@@ -153,20 +153,18 @@ pub(crate) static BASIS: Key<Name<Option<ShapedFamily>>> = Key::new(
 /// The shapes of all families: as many numbers as one of them has, each in the range of one.
 pub(crate) const SHAPES: Reals = {
     let (mut least, mut most) = (usize::MAX, 0);
-    let (mut lower, mut upper) = (f64::INFINITY, f64::NEG_INFINITY);
     let mut k = 0;
     while k < ShapedFamily::ALL.len() {
-        let (count, (from, to)) = (ShapedFamily::ALL[k].parameters().len(), ShapedFamily::ALL[k].range());
+        let count = ShapedFamily::ALL[k].parameters().len();
         if count < least {
             least = count;
         }
         if count > most {
             most = count;
         }
-        lower = lower.min(from);
-        upper = upper.max(to);
         k += 1;
     }
+    let (lower, upper) = ShapedFamily::WIDEST_RANGE;
     Reals { least, most, each: Interval::between(lower, upper) }
 };
 

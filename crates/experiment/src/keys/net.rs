@@ -1,9 +1,9 @@
 //! `[net]`: a surface of which every control point is given.
 
-use bases::{Aht, At};
+use bases::{Aht, At, BasisFamily};
 use plateau::{MAX_COORDINATE, MAX_DEGREE};
 
-use super::curve::{FAMILIES, Family};
+use super::curve::FAMILIES;
 use super::helicoid::SHORTEST;
 use super::method::SHAPES;
 use crate::text::{Interval, Key, List, Name, Points, Reals, Section, Ways};
@@ -18,7 +18,7 @@ const SPAN: Interval = Interval::below(SHORTEST, LONGEST);
 const CUTS: Reals = Reals { least: 1, most: MOST_CUTS, each: Interval::above(0.0, LONGEST) };
 pub(crate) const BOUNDS: &str = "the functions live on [0, span]; beyond 7.853204624 for \"aht\" and 2π for \"at\" they become negative: cut a longer surface into several";
 
-pub(crate) static BASIS: Key<Name<Family>> = Key::new(
+pub(crate) static BASIS: Key<Name<BasisFamily>> = Key::new(
     "basis",
     FAMILIES,
     "the functions in which the net is read; \"aht\" and \"at\" take 6 points in a direction, or 2 where the surface is linear",

@@ -2,6 +2,7 @@
 
 use plateau::Search;
 
+use super::method::SHAPES;
 use crate::text::{Interval, Key, Name, Reals, Section, Ways, Whole};
 
 /// Who informs a particle.
@@ -48,7 +49,7 @@ pub(crate) static COGNITIVE: Key<Interval> =
         .or("1.5");
 pub(crate) static BOX: Key<Reals> = Key::new(
     "box",
-    Reals::exactly(2, Interval::between(0.0, 4.0)),
+    Reals::exactly(2, SHAPES.each),
     "the lower and the upper bound of every shape parameter",
 )
 .or("[0.5, 3.5]")

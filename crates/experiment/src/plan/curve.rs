@@ -1,8 +1,8 @@
 //! `[curve]`.
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 
-use bases::{Aht, At};
+use bases::{Aht, At, BasisFamily};
 use plateau::{Curve, CurveBasis, CurveFunction, MAX_DEGREE, MethodError, counted};
 use serde_spanned::Spanned;
 use surfaces::Point;
@@ -10,7 +10,7 @@ use surfaces::Point;
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
 use super::shape::shape_of_curve;
-use crate::keys::curve::{BASIS, ENDS, FUNCTION, Family, POINTS, Pair, SAMPLES, SHAPE, SPAN, Sampling};
+use crate::keys::curve::{BASIS, ENDS, FUNCTION, POINTS, Pair, SAMPLES, SHAPE, SPAN, Sampling};
 use crate::text::{Entry, Given, Interval, PointList, Table, shown};
 
 /// Checks `[curve]`.
@@ -96,29 +96,29 @@ fn form(table: &Table<'_>) -> Option<Form> {
 
 impl Form {
     /// Whether the family has curves in this form; a function that it does not hold is reported.
-    fn is_for(&self, table: &Table<'_>, family: &Spanned<Family>) -> bool {
+    fn is_for(&self, table: &Table<'_>, family: &Spanned<BasisFamily>) -> bool {
         let (key, span) = match self {
             Self::Points(_) => return true,
             Self::Function(function) => ("function", function.span()),
             Self::Ends(ends) => ("ends", ends.span()),
         };
-        let admitted = match (family.get_ref(), self) {
-            (Family::Bernstein | Family::Gt, _) => false,
-            (Family::Aht, Self::Function(function)) => {
-                function.get_ref().is_in(&CurveBasis::Aht { span: 1.0 })
-            }
-            (Family::At, Self::Function(function)) => function.get_ref().is_in(&CurveBasis::At { span: 1.0 }),
-            (Family::Aht | Family::At, Self::Points(_) | Self::Ends(_)) => true,
+        let of_order_six: Vec<BasisFamily> =
+            BasisFamily::ALL.into_iter().filter(|family| family.is_of_order_six()).collect();
+        let (what, families) = match self {
+            Self::Points(_) => return true,
+            Self::Function(function) => (function.get_ref().name(), function.get_ref().families()),
+            Self::Ends(_) => ("`ends`", of_order_six.as_slice()),
         };
-        if admitted {
+        if families.contains(family.get_ref()) {
             return true;
         }
         let said = table.faults().excerpt(&family.span());
+        let quoted: Vec<String> = families.iter().map(|family| format!("{:?}", family.name())).collect();
         table.faults().conflict(
             (span, "not in the space of this basis"),
             (family.span(), "the basis"),
             format!("basis = {said} in [curve] does not hold this `{key}`"),
-            "circle, helix and cycloid are in \"aht\" and \"at\", spiral and conical-spiral in \"at\", catenary and hyperbola in \"aht\"; `ends` is for these two",
+            format!("{what} is for {}", quoted.join(" and ")),
         );
         false
     }
@@ -151,13 +151,10 @@ impl Form {
 }
 
 /// The basis, or one for each of several shapes.
-fn bases(table: &Table<'_>, family: &Spanned<Family>, shapes: &Shapes) -> Option<Vec<CurveBasis>> {
+fn bases(table: &Table<'_>, family: &Spanned<BasisFamily>, shapes: &Shapes) -> Option<Vec<CurveBasis>> {
     let has = |key: &'static str| table.place(&[key]).map(|span| (key, span));
-    let superfluous = match family.get_ref() {
-        Family::Bernstein => has("shape").or(has("span")),
-        Family::Gt => has("span"),
-        Family::Aht | Family::At => has("shape"),
-    };
+    let shape = has("shape").filter(|_| !family.get_ref().has_shape());
+    let superfluous = shape.or(has("span").filter(|_| family.get_ref().spans().is_none()));
     if let Some((key, place)) = superfluous {
         let said = table.faults().excerpt(&family.span());
         table.faults().clash(
@@ -169,18 +166,17 @@ fn bases(table: &Table<'_>, family: &Spanned<Family>, shapes: &Shapes) -> Option
     }
     let span = &shapes.span;
     let one = match family.get_ref() {
-        Family::Bernstein => CurveBasis::Bernstein,
-        Family::Gt => return of_gt(table, shapes),
-        Family::Aht => CurveBasis::Aht { span: length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM)? },
-        Family::At => CurveBasis::At { span: length(table, span, At::MIN_SPAN..At::SUPREMUM)? },
+        BasisFamily::Bernstein => CurveBasis::Bernstein,
+        BasisFamily::Gt => return of_gt(table, shapes),
+        BasisFamily::Aht => CurveBasis::Aht { span: length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM)? },
+        BasisFamily::At => CurveBasis::At { span: length(table, span, At::MIN_SPAN..At::SUPREMUM)? },
     };
     Some(vec![one])
 }
 
 fn of_gt(table: &Table<'_>, shapes: &Shapes) -> Option<Vec<CurveBasis>> {
     if shapes.pairs.is_absent() {
-        let help = "the GT basis has two shape parameters, each in [0, 4]: shape = [1.0, 2.0]";
-        table.missing("shape", help);
+        table.missing("shape", &SHAPE.head().remedy());
     }
     let basis = |pair| shape_of_curve(table, pair).map(|shape| CurveBasis::Gt { shape });
     shapes.pairs.value()?.iter().map(basis).collect()
@@ -203,20 +199,20 @@ fn length(table: &Table<'_>, span: &Given<f64>, admitted: Range<f64>) -> Option<
 }
 
 /// Whether there are as many points as the basis has functions.
-fn is_number_of_points(table: &Table<'_>, points: &Spanned<PointList>, family: Family) -> bool {
-    let admitted: RangeInclusive<usize> = match family {
-        Family::Aht | Family::At => 6..=6,
-        Family::Gt => 3..=MAX_DEGREE + 1,
-        Family::Bernstein => 2..=MAX_DEGREE + 1,
-    };
+fn is_number_of_points(table: &Table<'_>, points: &Spanned<PointList>, family: BasisFamily) -> bool {
+    let (least, most) = (*family.degrees().start(), MAX_DEGREE.min(*family.degrees().end()));
     let count = points.get_ref().points.len();
-    if admitted.contains(&count) {
+    if (least + 1..=most + 1).contains(&count) {
         return true;
     }
     let found = counted(count, "point");
-    let help = match family {
-        Family::Aht | Family::At => "give exactly 6 points: the basis has six functions",
-        Family::Gt | Family::Bernstein => "give at least 3 points: the GT basis begins at degree 2",
+    let help = match (least == most, family.title()) {
+        (true, title) => {
+            format!("give exactly {} points: the {title} basis has as many functions", least + 1)
+        }
+        (false, title) => {
+            format!("give at least {} points: the {title} basis begins at degree {least}", least + 1)
+        }
     };
     table.faults().inadmissible(points.span(), format!("`points` in [curve] has {found}"), found, help);
     false

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use bases::{Aht, At};
+use bases::{Aht, At, BasisFamily};
 use plateau::{MIN_SIZE, MethodError, NetBasis, OrderSix, OwnNet, ShapedFamily, counted};
 use serde_spanned::Spanned;
 use surfaces::{Net, Point};
@@ -10,7 +10,6 @@ use surfaces::{Net, Point};
 use super::Wanted;
 use super::expected::check::{Subject, wanted};
 use super::shape::fixed_shape;
-use crate::keys::curve::Family;
 use crate::keys::helicoid::SHORTEST;
 use crate::keys::net::{BASIS, BOUNDS, POINTS, SHAPE, U_CUTS, U_SPAN, V_CUTS, V_SPAN};
 use crate::text::{Entry, Given, Interval, Key, PointList, Reals, Table, shown};
@@ -33,8 +32,8 @@ pub(super) fn net(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(OwnNet
     let (points, rows) = (points?, rows?);
     let counts = [points.rows(), points.cols()];
     let basis = match *family.get_ref() {
-        Family::Bernstein => Some(NetBasis::Bernstein),
-        Family::Gt => {
+        BasisFamily::Bernstein => Some(NetBasis::Bernstein),
+        BasisFamily::Gt => {
             let sized = has_counts(
                 table,
                 &rows,
@@ -51,8 +50,8 @@ pub(super) fn net(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(OwnNet
             let Given::Sound(shape) = &shape else { return None };
             fixed_shape(table, ShapedFamily::Gt, shape).filter(|_| sized).map(NetBasis::Shaped)
         }
-        Family::Aht => order_six(table, &rows, counts, &directions, Aht::SUPREMUM).map(NetBasis::Aht),
-        Family::At => order_six(table, &rows, counts, &directions, At::SUPREMUM).map(NetBasis::At),
+        BasisFamily::Aht => order_six(table, &rows, counts, &directions, Aht::SUPREMUM).map(NetBasis::Aht),
+        BasisFamily::At => order_six(table, &rows, counts, &directions, At::SUPREMUM).map(NetBasis::At),
     };
     let net = OwnNet::new(points, basis.filter(|_| fits)?).map_err(|error| refused(table, &rows, &error));
     Some((net.ok()?, wanted?))
@@ -102,11 +101,11 @@ fn points(table: &Table<'_>, rows: &Rows) -> Option<Net> {
 }
 
 /// Reports keys that the functions do not take.
-fn is_for(table: &Table<'_>, family: &Spanned<Family>) -> bool {
+fn is_for(table: &Table<'_>, family: &Spanned<BasisFamily>) -> bool {
     let strange: &[&str] = match family.get_ref() {
-        Family::Bernstein => &["shape", "u-span", "v-span", "u-cuts", "v-cuts"],
-        Family::Gt => &["u-span", "v-span", "u-cuts", "v-cuts"],
-        Family::Aht | Family::At => &["shape"],
+        BasisFamily::Bernstein => &["shape", "u-span", "v-span", "u-cuts", "v-cuts"],
+        BasisFamily::Gt => &["u-span", "v-span", "u-cuts", "v-cuts"],
+        BasisFamily::Aht | BasisFamily::At => &["shape"],
     };
     let Some((key, place)) = strange.iter().find_map(|key| Some((key, table.place(&[key])?))) else {
         return true;

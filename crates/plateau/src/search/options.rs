@@ -1,5 +1,6 @@
 //! How shape parameters are searched.
 
+use surfaces::ShapedFamily;
 use thiserror::Error;
 
 /// Largest `particles × iterations × runs` of a search.
@@ -78,7 +79,11 @@ pub enum SearchFault {
         most: f64,
     },
     /// A box that holds no shape.
-    #[error("the box of a search lies within [0, 4], its lower end below its upper: [{0}, {1}] does not")]
+    #[error(
+        "the box of a search lies within [{least}, {most}], its lower end below its upper: [{0}, {1}] does not",
+        least = ShapedFamily::WIDEST_RANGE.0,
+        most = ShapedFamily::WIDEST_RANGE.1
+    )]
     Box(f64, f64),
 }
 
@@ -127,9 +132,10 @@ impl Search {
     /// Every parameter lies between `lower` and `upper`.
     ///
     /// # Errors
-    /// [`SearchFault::Box`] unless 0 ≤ `lower` < `upper` ≤ 4.
+    /// [`SearchFault::Box`] unless `lower` < `upper`, both within [`ShapedFamily::WIDEST_RANGE`].
     pub fn with_box(self, lower: f64, upper: f64) -> Result<Self, SearchFault> {
-        if !(0.0 <= lower && lower < upper && upper <= 4.0) {
+        let (least, most) = ShapedFamily::WIDEST_RANGE;
+        if !(least <= lower && lower < upper && upper <= most) {
             return Err(SearchFault::Box(lower, upper));
         }
         Ok(Self { bounds: [lower, upper], ..self })

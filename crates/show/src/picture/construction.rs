@@ -1,5 +1,7 @@
 //! The geometric construction of the net of a helicoid over a trapezium (AT Figures 4 to 7).
 
+use std::f64::consts::{PI, TAU};
+
 use surfaces::{Patch, PlaneConstruction, Point, SpiralEnd, SurfaceError, TrapeziumHelicoid};
 
 use super::svg::{Anchor, FAINT, Font, GRID, INK, LINES, Length, Svg, path};
@@ -11,6 +13,9 @@ const HEAD: f64 = 48.0;
 const MARGIN: f64 = 34.0;
 /// Intervals in which a curve is drawn.
 const STEPS: usize = 120;
+
+/// Span, γ and β of the construction that AT Figure 6 draws.
+pub const AT_FIGURE_6: (f64, [f64; 2], [f64; 2]) = (1.25 * PI, [TAU, 2.0 * TAU], [1.0, 1.0]);
 
 /// The construction of AT Theorems 1 to 3 as one SVG: the derivatives at an end of a side, the control polygons of both sides in the plane,
 /// and the net lifted from it.

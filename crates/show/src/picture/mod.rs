@@ -20,10 +20,10 @@ mod view;
 
 pub use basis::basis_functions;
 pub use conditioning::conditioning;
-pub use construction::construction;
+pub use construction::{AT_FIGURE_6, construction};
 pub use drawing::{PICTURES, Picture};
 pub use multiples::{Multiples, Panel, multiples};
-pub use region::nonnegativity_region;
+pub use region::{REGION_DEGREES, nonnegativity_region};
 pub(crate) use svg::Escaped;
 
 use crate::scene::Scene;

@@ -12,6 +12,9 @@ const FRAME: [[f64; 2]; 2] = [[62.0, 502.0], [500.0, 60.0]];
 /// The box that the papers search.
 const PAPERS: [f64; 2] = [0.5, 3.5];
 
+/// Degrees whose regions are told apart well in one picture.
+pub const REGION_DEGREES: [u16; 5] = [2, 3, 4, 6, 10];
+
 /// The regions of shapes (θ1, θ2) in which all GT functions of these degrees are nonnegative, as one SVG; beside them the square of shapes that is admitted and
 /// the box of the papers.
 ///

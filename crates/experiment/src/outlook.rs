@@ -1,16 +1,51 @@
-//! What an experiment is about to cost, in words.
+//! What a file asks for, and what that is about to cost, in words.
 
-use experiment::{Experiment, Plan, Source, Sweep};
-use plateau::{Cost, Method, SearchMode};
+use plateau::{Cost, Method, SearchMode, counted, rough_duration};
+
+use crate::{Experiment, Plan, Source, Sweep};
 
 /// Methods that take less on one core are not spoken of.
 const WORTH_TELLING: f64 = 1.0;
 
-/// What the methods of least area cost that cost much, a line each; of a sweep what they cost together.
-pub(crate) fn costs(source: &Source) -> Vec<String> {
-    match source {
-        Source::Experiment(plan) => costs_of_one(plan),
-        Source::Sweep(sweep) => cost_of_all(sweep).into_iter().collect(),
+impl Source {
+    /// What it asks for, in a few words: `3 methods`, `a sweep of 12 cells (3 of degree × 4 of seed)`.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        match self {
+            Self::Experiment(plan) => summary_of_one(plan),
+            Self::Sweep(sweep) => {
+                let free = sweep.axes().iter().filter(|axis| axis.with().is_none());
+                let axes: Vec<String> =
+                    free.map(|axis| format!("{} of {}", axis.settings().len(), axis.name())).collect();
+                format!("a sweep of {} cells ({})", sweep.cells(), axes.join(" × "))
+            }
+        }
+    }
+
+    /// What the methods of least area cost that take more than a second on one core, a line each; of a sweep what they cost together.
+    #[must_use]
+    pub fn costs(&self) -> Vec<String> {
+        match self {
+            Self::Experiment(plan) => costs_of_one(plan),
+            Self::Sweep(sweep) => cost_of_all(sweep).into_iter().collect(),
+        }
+    }
+}
+
+fn summary_of_one(plan: &Plan) -> String {
+    match &plan.experiment {
+        Experiment::Patch(patches) => counted(patches.methods.len(), "method"),
+        Experiment::Film(film) => counted(film.methods.len(), "method"),
+        Experiment::Helicoid(_) => "a helicoid".to_owned(),
+        Experiment::TrapeziumHelicoid(..) => "a helicoid over a trapezium".to_owned(),
+        Experiment::Net(_) => "a net of its own".to_owned(),
+        Experiment::Curve(curves) => {
+            let samples = curves.first().map_or(0, |curve| curve.samples().len());
+            match curves.len() {
+                1 => format!("a curve at {samples} samples"),
+                count => format!("{count} curves at {samples} samples each"),
+            }
+        }
     }
 }
 
@@ -32,7 +67,7 @@ fn cost_of_all(sweep: &Sweep) -> Option<String> {
         _ => "; surfaces over loops and faces are not estimated",
     };
     (seconds >= WORTH_TELLING || others > 0)
-        .then(|| format!("its least areas take about {} on one core{uncounted}", duration(seconds)))
+        .then(|| format!("its least areas take about {} on one core{uncounted}", rough_duration(seconds)))
 }
 
 fn costs_of_one(plan: &Plan) -> Vec<String> {
@@ -59,29 +94,18 @@ fn cost_line(name: &str, cost: Cost, less: Option<Cost>) -> String {
         several => format!("some {several} least areas"),
     };
     let less = less.map_or_else(String::new, |less| {
-        format!("; search = \"polish\" takes {}, with {} of them", duration(less.seconds), less.least_areas)
+        format!(
+            "; search = \"polish\" takes {}, with {} of them",
+            rough_duration(less.seconds),
+            less.least_areas
+        )
     });
-    format!("\"{name}\": {found}, about {}{memory} on one core{less}", duration(cost.seconds))
-}
-
-/// Seconds by one digit, in words.
-fn duration(seconds: f64) -> String {
-    const UNITS: [(f64, &str); 4] = [(86400.0, "days"), (3600.0, "h"), (60.0, "min"), (1.0, "s")];
-    let (unit, name) = UNITS.into_iter().find(|(unit, _)| seconds >= 2.0 * unit).unwrap_or((1.0, "s"));
-    let count = (seconds / unit).max(1.0);
-    let digit = 10f64.powf(count.log10().floor());
-    format!("{:.0} {name}", (count / digit).round() * digit)
+    format!("\"{name}\": {found}, about {}{memory} on one core{less}", rough_duration(cost.seconds))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn seconds_are_told_by_one_digit_in_the_unit_that_suits() {
-        let told = [0.2, 1.0, 14.9, 119.0, 121.0, 5000.0, 8000.0, 1e6].map(duration);
-        assert_eq!(told, ["1 s", "1 s", "10 s", "100 s", "2 min", "80 min", "2 h", "10 days"]);
-    }
 
     #[test]
     fn a_swarm_over_least_areas_is_told_with_what_descents_take() {
