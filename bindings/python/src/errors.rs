@@ -3,7 +3,7 @@
 use std::io;
 
 use experiment::Refusal;
-use plateau::MethodError as Failure;
+use plateau::{MethodError as Failure, MethodFailure};
 use pyo3::PyErr;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyMemoryError};
 use record::ExportError;
@@ -16,11 +16,11 @@ pyo3::import_exception!(plateau_patches.errors, MethodError);
 /// A method that found no surface. What is wrong with the boundary itself is the caller's.
 pub(crate) fn of_method(error: &Failure) -> PyErr {
     let sentence = error.to_string();
-    match error {
-        Failure::Interrupted => PyKeyboardInterrupt::new_err(sentence),
-        Failure::OutOfMemory { .. } => PyMemoryError::new_err(sentence),
-        Failure::Cutting(_) => BoundaryError::new_err(sentence),
-        _ => MethodError::new_err(sentence),
+    match error.failure() {
+        MethodFailure::Interrupted => PyKeyboardInterrupt::new_err(sentence),
+        MethodFailure::Memory => PyMemoryError::new_err(sentence),
+        MethodFailure::Boundary => BoundaryError::new_err(sentence),
+        MethodFailure::Method => MethodError::new_err(sentence),
     }
 }
 

@@ -25,6 +25,8 @@
 //! | the B-spline of a surface | [`spline()`] with its [`Accuracy`]; [`SplineError`] |
 //! | others | [`write_curves()`], [`write_deformation()`], [`diagonal()`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod assembly;
 mod curves;
 mod writers;

@@ -38,6 +38,8 @@
 //! | files of other programs as experiments | [`import()`], [`Filling`], [`ImportOptions`], [`ImportError`], [`CornerGap`], [`MAX_IMPORT_SIZE`] |
 //! | the language | [`key_list()`], [`experiment_schema()`], [`Template`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod advice;
 mod diagnostic;
 mod import;

@@ -3,6 +3,7 @@
 //! A [`Key`] says what may stand under its name; a [`Table`] of the document is asked for keys and answers with sound values.
 //! What it holds besides is unknown. The JSON Schema and the lists of keys in the book are made of the same keys.
 
+mod depth;
 mod document;
 mod faults;
 mod form;
@@ -23,6 +24,7 @@ mod value;
 mod vector;
 mod whole;
 
+pub(crate) use depth::depth_after;
 pub(crate) use document::parse;
 pub(crate) use faults::Faults;
 pub(crate) use form::Form;

@@ -258,7 +258,56 @@ fn parameters(family: BasisFamily) -> &'static str {
 /// Degree from which a matrix that is not positive definite is so by its degree alone.
 const HIGH: usize = 10;
 
+/// What kind of thing kept a method from its result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MethodFailure {
+    /// The caller wanted no more.
+    Interrupted,
+    /// The memory could not be had.
+    Memory,
+    /// The boundary cannot be filled by any method of its kind.
+    Boundary,
+    /// The method, or what was asked of it, does not suit this boundary.
+    Method,
+}
+
 impl MethodError {
+    /// What kind of thing went wrong.
+    #[must_use]
+    pub fn failure(&self) -> MethodFailure {
+        match self {
+            Self::Interrupted => MethodFailure::Interrupted,
+            Self::OutOfMemory { .. } => MethodFailure::Memory,
+            Self::Cutting(_) => MethodFailure::Boundary,
+            Self::Far { error, .. } | Self::Advised { error, .. } => error.failure(),
+            Self::Solve(_)
+            | Self::Surface(_)
+            | Self::Complex(_)
+            | Self::Energy(_)
+            | Self::Basis(_)
+            | Self::Swarm(_)
+            | Self::Polish(_)
+            | Self::Bounds(_)
+            | Self::SearchBox { .. }
+            | Self::NothingFound { .. }
+            | Self::Apart { .. }
+            | Self::SingularMask { .. }
+            | Self::TooHigh(_)
+            | Self::HarmonicMissing { .. }
+            | Self::HarmonicConflict { .. }
+            | Self::MaskWeight { .. }
+            | Self::Degree { .. }
+            | Self::Cancellation { .. }
+            | Self::Setting { .. }
+            | Self::Parameters { .. }
+            | Self::Sample { .. }
+            | Self::NotPlanar { .. }
+            | Self::Cuts { .. }
+            | Self::Overflow { .. }
+            | Self::Sides { .. } => MethodFailure::Method,
+        }
+    }
+
     /// The error where the boundary was given `by` away from where it lay.
     pub(crate) fn moved(mut self, by: Point) -> Self {
         if let Self::Cutting(CuttingError::Crosses { at }) | Self::Apart { apex: at, .. } = &mut self {

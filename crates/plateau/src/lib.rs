@@ -37,14 +37,14 @@
 //! | boundaries | [`Boundary`]: [`TensorBoundary`], [`OppositeSides`] in a [`Direction`], [`TriangleBoundary`]; [`Corner`], [`Gap`], [`BoundaryError`], [`Degeneracy`]; [`MAX_DEGREE`], [`MAX_COORDINATE`], [`MIN_SIZE`] |
 //! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`], [`Conditioning`], [`nonnegative_shapes()`]; [`Energy`], [`SearchEnergy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
 //! | numbers for people | [`Notation`], [`counted()`], [`rough_duration()`] |
-//! | running one | [`Context`], [`Arithmetic`], [`MethodError`] |
+//! | running one | [`Context`], [`Arithmetic`], [`MethodError`] with its [`MethodFailure`] |
 //! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
 //! | results | [`Results`], [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
 //! | figures | [`Figures`], [`BoundaryFigures`], [`FilmFigures`], [`Seams`], [`Kink`]; [`Quantity`], [`Measured`]; [`ClosedForm`] |
 //! | least areas | [`least_area_from()`], [`least_area_raised()`], [`least_area_triangle_from()`], [`least_area_triangle_raised()`], [`least_area_complex()`], [`least_area_complex_near()`], [`dirichlet_complex()`]; [`AreaExtremal`], [`Mode`], [`AreaEnd`], [`ValleyEnd`], [`Start`], [`Stage`] |
 //! | how far from the least | [`estimate_net()`], [`estimate_triangle()`], [`estimate_complex()`], [`AreaEstimate`], [`NoEstimate`]; [`excess_of_net()`], [`excess_of_triangle()`], [`excess_of_complex()`] |
 //! | proved bounds from below | [`lower_bound()`], [`lower_bound_of_net()`], [`LowerBound`], [`CalibratedFace`], [`Competitors`], [`NoBound`] |
-//! | loops and graphs of curves | [`Loop`], [`CurveGraph`], [`GraphCurve`], [`FaceSide`]; [`Cutting`], [`CutBoundary`], [`Way`], [`CuttingError`], [`odd_corners()`] |
+//! | loops and graphs of curves | [`Loop`], [`CurveGraph`], [`GraphCurve`], [`FaceSide`]; [`Cutting`], [`CutBoundary`], [`Way`], [`CuttingError`] with its [`CuttingSite`], [`odd_corners()`] |
 //! | films | [`Film`], [`FilmFace`], [`FillEnergy`], [`Tried`] |
 //! | exact surfaces | [`Helicoid`], [`DeformationPath`], [`Construction`] |
 //! | nets of one's own | [`OwnNet`], [`NetBasis`], [`OrderSix`], [`of_net()`] |
@@ -112,13 +112,15 @@ pub use cost::Cost;
 pub use curve::{Curve, CurveResult, sample};
 pub use curve_basis::CurveBasis;
 pub use curve_function::{CurveEnd, CurveFunction};
-pub use cutting::{CurveGraph, CutBoundary, Cutting, CuttingError, FaceSide, GraphCurve, Loop, Way};
+pub use cutting::{
+    CurveGraph, CutBoundary, Cutting, CuttingError, CuttingSite, FaceSide, GraphCurve, Loop, Way,
+};
 pub use degeneracy::Degeneracy;
 pub use degenerate::degeneracies;
 pub use degree_limit::DegreeLimit;
 pub use done::Done;
 pub use energy::{Functional, ReferenceTriangle};
-pub use error::MethodError;
+pub use error::{MethodError, MethodFailure};
 pub use family::Family;
 pub use figures::Figures;
 pub use film::{Fill, FillEnergy, Film, FilmFace, Tried, fill};

@@ -120,10 +120,13 @@ fn placed(
 ) -> Result<Option<SurfaceForm>, ExportError> {
     let refused = |reason: String| -> ExportError { ExportError::Refused { path: path.to_owned(), reason } };
     let file = file.map_err(|unfit| refused(unfit.to_string()))?;
-    place(&|out| file.write(out)).map_err(|source| match source.kind() {
+    place(&|out| file.write(out)).map_err(|source| {
         // The writers say so of what their format cannot hold.
-        ErrorKind::InvalidData => refused(source.to_string()),
-        _ => DeliverError { path: path.to_owned(), source }.into(),
+        if source.kind() == ErrorKind::InvalidData {
+            refused(source.to_string())
+        } else {
+            DeliverError { path: path.to_owned(), source }.into()
+        }
     })?;
     Ok(file.form())
 }

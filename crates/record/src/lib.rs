@@ -16,6 +16,8 @@
 //! | reading | [`StoredResult`], [`StoredMethod`], [`ReadError`] |
 //! | computing again | [`verify()`], [`result_text()`], [`verify_text()`], [`Verification`], [`Verified`], [`Level`], [`Difference`], [`VerifyError`]; [`reproduce()`], [`Reproduction`], [`Reproduced`], [`Verdict`], [`REPRODUCTION_SCHEMA`] |
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod atomic;
 mod checkpoint;
 mod deliver;

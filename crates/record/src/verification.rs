@@ -145,10 +145,7 @@ fn entries(stored: &mut Value, mut computed: Value, level: &Level) -> Vec<Verifi
     let mut entries = Vec::new();
     let [theirs, ours] = [&mut *stored, &mut computed].map(|record| {
         let methods = record.get_mut("methods").map(Value::take);
-        methods.and_then(|methods| match methods {
-            Value::Array(methods) => Some(methods),
-            _ => None,
-        })
+        methods.and_then(|methods| methods.as_array().cloned())
     });
     let (theirs, ours) = (theirs.unwrap_or_default(), ours.unwrap_or_default());
     for k in 0..theirs.len().max(ours.len()) {

@@ -40,7 +40,7 @@
 //! | nets by formula | [`discrete_coons()`], [`discrete_coons_triangle()`]; [`TriangleMask`], [`rectangular_mask()`], [`MaskSystem`], [`COONS_CORNER_WEIGHT`]; [`harmonic_relations()`], [`Relation`] |
 //! | exact minimal surfaces | [`Helicoid`], [`Deformation`], [`DeformationPath`], [`TrapeziumHelicoid`], [`PlaneConstruction`], [`SpiralEnd`] |
 //! | complexes | [`Complex`], [`Vertex`], [`Edge`], [`EdgeUse`], [`FixedEdge`], [`Face`], [`Side`], [`Orientation`], [`ComplexError`] |
-//! | curves | [`Curve`], [`CurveJet`]; [`BoundaryCurve`]: [`Bezier`], [`Polyline`], [`SplineCurve`], [`Samples`], [`EllipseArc`]; [`CurveFit`], [`Deviation`], [`CurveError`] |
+//! | curves | [`Curve`], [`CurveJet`]; [`BoundaryCurve`]: [`Bezier`], [`Polyline`], [`SplineCurve`], [`Samples`], [`EllipseArc`]; [`CurveFit`], [`Deviation`], [`CurveError`] with its [`CurvePart`] |
 //! | B-spline surfaces | [`SplineSurface`] of [`Knots`], [`SplineFit`], [`SplineFitError`] |
 //! | errors | [`SurfaceError`] |
 
@@ -79,7 +79,8 @@ pub use complex::{
 };
 pub use curve::{Curve, CurveJet};
 pub use curves::{
-    Bezier, BoundaryCurve, CurveError, CurveFit, Deviation, EllipseArc, Polyline, Samples, SplineCurve,
+    Bezier, BoundaryCurve, CurveError, CurveFit, CurvePart, Deviation, EllipseArc, Polyline, Samples,
+    SplineCurve,
 };
 pub use deformation::{Deformation, DeformationPath};
 pub use discrete_coons::{discrete_coons, discrete_coons_triangle};

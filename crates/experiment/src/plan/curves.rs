@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use serde_spanned::Spanned;
-use surfaces::{BoundaryCurve, CurveError, EllipseArc, Point, Samples};
+use surfaces::{BoundaryCurve, CurveError, CurvePart, EllipseArc, Point, Samples};
 
 use crate::diagnostic::{Diagnostic, Fault, shorten};
 use crate::keys::boundary_curve::{
@@ -176,13 +176,11 @@ impl<'a, 't> Draft<'a, 't> {
             weights,
         );
         self.unless(made, |error| {
-            let key = match error {
-                CurveError::KnotCount { .. }
-                | CurveError::KnotOrder { .. }
-                | CurveError::KnotMultiplicity { .. } => "knots",
-                CurveError::WeightCount { .. } | CurveError::Weight { .. } => "weights",
-                CurveError::Degree { .. } => "degree",
-                _ => "points",
+            let key = match error.part() {
+                CurvePart::Knots => "knots",
+                CurvePart::Weights => "weights",
+                CurvePart::Degree => "degree",
+                CurvePart::Points | CurvePart::Arc | CurvePart::Tolerance => "points",
             };
             table.place(&[key])
         })

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use plateau::{CurveGraph, CuttingError, GraphCurve};
+use plateau::{CurveGraph, CuttingError, CuttingSite, GraphCurve};
 use serde_spanned::Spanned;
 use surfaces::{Point, Vertex};
 
@@ -41,14 +41,10 @@ pub(super) fn faces(
         return None;
     }
     let named = vertices.names.iter().cloned().zip(vertices.places.iter().copied()).collect();
-    let place = |error: &CuttingError| match error {
-        CuttingError::Polygon { face, .. } | CuttingError::Side { face, .. } => lists[*face].span(),
-        CuttingError::TwoCurves { curves: [_, curve], .. }
-        | CuttingError::Apart { curve, .. }
-        | CuttingError::ClosedCurve { curve }
-        | CuttingError::UnusedCurve { curve, .. }
-        | CuttingError::Curve { curve, .. } => curves[*curve].span.clone(),
-        _ => face_tables.span(),
+    let place = |error: &CuttingError| match error.site() {
+        CuttingSite::Face(face) => lists[face].span(),
+        CuttingSite::Curve(curve) => curves[curve].span.clone(),
+        CuttingSite::Boundary => face_tables.span(),
     };
     match CurveGraph::new(named, graph_curves, &faces, None) {
         Ok(graph) => Some(graph),
@@ -216,7 +212,16 @@ fn in_names(error: &CuttingError, vertices: &[String], curves: &[NamedCurve]) ->
             vertex(ends[1])
         ),
         CuttingError::Curve { curve: k, error } => format!("the curve {}: {error}", curve(*k)),
-        error => format!("the faces make no surface: {error}"),
+        CuttingError::NoCurve
+        | CuttingError::Gap { .. }
+        | CuttingError::TooSmall { .. }
+        | CuttingError::Crosses { .. }
+        | CuttingError::TooManyPieces { .. }
+        | CuttingError::Loops { .. }
+        | CuttingError::Unsuitable { .. }
+        | CuttingError::UnknownVertex { .. }
+        | CuttingError::Complex(_)
+        | CuttingError::Side { .. } => format!("the faces make no surface: {error}"),
     }
 }
 
@@ -229,6 +234,18 @@ fn remedy(error: &CuttingError) -> &'static str {
             "all curves that end in a vertex end at one point: move this end, or the [[vertex]]"
         }
         CuttingError::UnusedCurve { .. } => "add the [[face]] that it bounds, or take it out",
-        _ => "compare it with a template: `plateau new faces` prints one",
+        CuttingError::NoCurve
+        | CuttingError::Gap { .. }
+        | CuttingError::TooSmall { .. }
+        | CuttingError::Crosses { .. }
+        | CuttingError::TooManyPieces { .. }
+        | CuttingError::Loops { .. }
+        | CuttingError::Unsuitable { .. }
+        | CuttingError::UnknownVertex { .. }
+        | CuttingError::Complex(_)
+        | CuttingError::Polygon { .. }
+        | CuttingError::Side { .. }
+        | CuttingError::ClosedCurve { .. }
+        | CuttingError::Curve { .. } => "compare it with a template: `plateau new faces` prints one",
     }
 }

@@ -129,6 +129,7 @@ pub(crate) fn text_from(name: &str, stream: &mut dyn Read) -> Result<String, Ref
     })
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "the kinds of input and output errors are open")]
 fn unreadable(name: &str, error: &std::io::Error) -> Refusal {
     let (message, help) = match error.kind() {
         ErrorKind::NotFound => ("there is no such file".to_owned(), "check the name and the folder"),

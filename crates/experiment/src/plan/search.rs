@@ -36,7 +36,7 @@ pub(super) fn search(table: &Table<'_>) -> Option<Search> {
     };
     let refused = |fault: SearchFault| match fault {
         SearchFault::Budget(budget) => beyond_budget(table, budget, counts),
-        fault => {
+        SearchFault::Count { .. } | SearchFault::Weight { .. } | SearchFault::Box(..) => {
             table.faults().inadmissible(table.span(), fault.to_string(), "this search", "change its numbers")
         }
     };

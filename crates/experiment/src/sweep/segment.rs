@@ -5,6 +5,8 @@ use std::ops::Range;
 use toml_parser::Source;
 use toml_parser::lexer::TokenKind;
 
+use crate::text::depth_after;
+
 /// A header with the lines below it, up to the next header.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Segment {
@@ -34,11 +36,7 @@ pub(super) fn segments(text: &str) -> Vec<Segment> {
             }
             segments.push(Segment { table: name.trim_matches(['"', '\'']).to_owned(), range: start..start });
         }
-        match kind {
-            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
-            TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => depth = depth.saturating_sub(1),
-            _ => {}
-        }
+        depth = depth_after(kind, depth);
         opens_line = kind == TokenKind::Newline || (opens_line && kind == TokenKind::Whitespace);
     }
     if let Some(last) = segments.last_mut() {

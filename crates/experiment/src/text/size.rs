@@ -6,6 +6,7 @@
 use toml_parser::Source;
 use toml_parser::lexer::{Token, TokenKind};
 
+use super::depth::depth_after;
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::limits::{MAX_KEYS, MAX_TOKENS};
 
@@ -20,17 +21,11 @@ pub(super) fn beyond(text: &str) -> Option<Diagnostic> {
         }
         let span = token.span().start()..token.span().end();
         tokens += 1;
-        keys += usize::from(match kind {
-            TokenKind::Equals | TokenKind::LeftCurlyBracket => true,
-            TokenKind::LeftSquareBracket => opens_line && depth == 0,
-            TokenKind::Dot => !is_decimal_point(text, span.start, last[1]),
-            _ => false,
-        });
-        match kind {
-            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
-            TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => depth = depth.saturating_sub(1),
-            _ => {}
-        }
+        let begins_key = matches!(kind, TokenKind::Equals | TokenKind::LeftCurlyBracket)
+            || (kind == TokenKind::LeftSquareBracket && opens_line && depth == 0)
+            || (kind == TokenKind::Dot && !is_decimal_point(text, span.start, last[1]));
+        keys += usize::from(begins_key);
+        depth = depth_after(kind, depth);
         opens_line = kind == TokenKind::Newline;
         last = [Some(token), last[0]];
         if keys > MAX_KEYS {

@@ -100,12 +100,10 @@ impl<'a> Syntax<'a> {
         for event in &events {
             let Some(raw) = source.get(event) else { continue };
             let mut decoded = Cow::Borrowed("");
-            match event.kind() {
-                EventKind::SimpleKey => raw.decode_key(&mut decoded, &mut errors),
-                EventKind::Scalar => {
-                    let _: ScalarKind = raw.decode_scalar(&mut decoded, &mut errors);
-                }
-                _ => {}
+            if event.kind() == EventKind::SimpleKey {
+                raw.decode_key(&mut decoded, &mut errors);
+            } else if event.kind() == EventKind::Scalar {
+                let _: ScalarKind = raw.decode_scalar(&mut decoded, &mut errors);
             }
         }
         Self { text, section, tokens, events, broken: errors.0 }
@@ -147,15 +145,18 @@ impl<'a> Syntax<'a> {
     fn open_lists(&self, at: usize) -> usize {
         let (mut depth, mut opens_line) = (0usize, true);
         for token in self.tokens.iter().take_while(|token| token.span().start() < at) {
-            match token.kind() {
-                // A header, which may lack its end.
-                TokenKind::LeftSquareBracket if opens_line && depth == 0 => continue,
-                TokenKind::LeftSquareBracket => depth += 1,
-                TokenKind::RightSquareBracket => depth = depth.saturating_sub(1),
-                TokenKind::Whitespace => continue,
-                _ => {}
+            let kind = token.kind();
+            // A header, which may lack its end.
+            let is_header = kind == TokenKind::LeftSquareBracket && opens_line && depth == 0;
+            if is_header || kind == TokenKind::Whitespace {
+                continue;
             }
-            opens_line = token.kind() == TokenKind::Newline;
+            if kind == TokenKind::LeftSquareBracket {
+                depth += 1;
+            } else if kind == TokenKind::RightSquareBracket {
+                depth = depth.saturating_sub(1);
+            }
+            opens_line = kind == TokenKind::Newline;
         }
         depth
     }

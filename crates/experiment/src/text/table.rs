@@ -256,16 +256,14 @@ impl<'t> Table<'t> {
         match self.value(key.head().name) {
             None if self.has_strays => Given::Faulty,
             None => Given::Absent,
-            Some(value) => match value.get_ref() {
-                DeValue::Table(entries) => {
-                    let table = self.within(key.head(), key.kind.0, Some((entries, value.span())), false);
-                    Given::Sound(Spanned::new(value.span(), table))
-                }
-                _ => {
+            Some(value) => {
+                let Some(entries) = value.get_ref().as_table() else {
                     self.wrong_type(key, value);
-                    Given::Faulty
-                }
-            },
+                    return Given::Faulty;
+                };
+                let table = self.within(key.head(), key.kind.0, Some((entries, value.span())), false);
+                Given::Sound(Spanned::new(value.span(), table))
+            }
         }
     }
 
@@ -308,11 +306,11 @@ impl<'t> Table<'t> {
             None if self.has_strays => Given::Faulty,
             None => Given::Absent,
             Some(value) => {
-                let tables = match value.get_ref() {
-                    DeValue::Table(entries) => {
+                let tables = match value.get_ref().as_table() {
+                    Some(entries) => {
                         Some(Tables::One(self.within(key.head(), one, Some((entries, value.span())), false)))
                     }
-                    _ => self.elements(key.head(), several, value).map(Tables::Several),
+                    None => self.elements(key.head(), several, value).map(Tables::Several),
                 };
                 match tables {
                     Some(tables) => Given::Sound(Spanned::new(value.span(), tables)),
@@ -368,13 +366,10 @@ impl Form for Inner {
     }
 
     fn remedy(&self, key: &Head, found: &DeValue<'_>) -> Option<String> {
-        Some(match found {
-            DeValue::Array(_) => {
-                format!("write [{}] with single brackets: an experiment has only one", key.name)
-            }
-            _ => {
-                format!("open it by the header [{}] on a line of its own, and write its keys below", key.name)
-            }
+        Some(if found.is_array() {
+            format!("write [{}] with single brackets: an experiment has only one", key.name)
+        } else {
+            format!("open it by the header [{}] on a line of its own, and write its keys below", key.name)
         })
     }
 }

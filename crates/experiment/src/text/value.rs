@@ -24,7 +24,11 @@ pub(super) fn real(value: &DeValue<'_>) -> Option<Result<f64, TooLarge>> {
             Some(if number.is_finite() { Ok(number) } else { Err(TooLarge) })
         }
         DeValue::Integer(integer) => Some(integral(integer).map(|whole| whole as f64)),
-        _ => None,
+        DeValue::String(_)
+        | DeValue::Boolean(_)
+        | DeValue::Datetime(_)
+        | DeValue::Array(_)
+        | DeValue::Table(_) => None,
     }
 }
 

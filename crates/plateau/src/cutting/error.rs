@@ -5,7 +5,6 @@ use crate::{Degeneracy, MIN_SIZE};
 
 /// Why a boundary could not be cut into quadrilaterals.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
 pub enum CuttingError {
     /// There is no curve.
     #[error("a loop needs at least one curve")]
@@ -144,7 +143,40 @@ pub enum CuttingError {
     Complex(#[from] ComplexError),
 }
 
+/// Which part of a boundary an error is about. Numbers are counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CuttingSite {
+    /// All of it.
+    Boundary,
+    /// A face of a graph.
+    Face(usize),
+    /// A curve of a loop or graph; the second of two.
+    Curve(usize),
+}
+
 impl CuttingError {
+    /// Which part of the boundary it is about.
+    #[must_use]
+    pub const fn site(&self) -> CuttingSite {
+        match *self {
+            Self::Polygon { face, .. } | Self::Side { face, .. } => CuttingSite::Face(face),
+            Self::TwoCurves { curves: [_, curve], .. }
+            | Self::Gap { curve, .. }
+            | Self::Apart { curve, .. }
+            | Self::ClosedCurve { curve }
+            | Self::UnusedCurve { curve, .. }
+            | Self::Curve { curve, .. } => CuttingSite::Curve(curve),
+            Self::NoCurve
+            | Self::TooSmall { .. }
+            | Self::Crosses { .. }
+            | Self::TooManyPieces { .. }
+            | Self::Loops { .. }
+            | Self::Unsuitable { .. }
+            | Self::UnknownVertex { .. }
+            | Self::Complex(_) => CuttingSite::Boundary,
+        }
+    }
+
     /// The error of a boundary so small that products of its lengths vanish, as those that make its size may.
     pub(super) fn unless_large(size: f64) -> Result<(), Self> {
         if size < MIN_SIZE { Err(Self::TooSmall { size }) } else { Ok(()) }

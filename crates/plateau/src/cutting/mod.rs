@@ -14,7 +14,7 @@ mod rim;
 mod slender;
 
 pub use closed_loop::Loop;
-pub use error::CuttingError;
+pub use error::{CuttingError, CuttingSite};
 pub use graph::{CurveGraph, FaceSide, GraphCurve};
 pub use options::{Cutting, Way};
 pub(crate) use slender::{cut_slender, slenderness};

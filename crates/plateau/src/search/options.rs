@@ -53,7 +53,6 @@ impl Default for Search {
 
 /// What no search has.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
 pub enum SearchFault {
     /// A count that is not offered.
     #[error("{name} = {count} is not offered by searches: 1 to {most} are")]

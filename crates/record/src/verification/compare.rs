@@ -120,7 +120,8 @@ fn largest(value: &Value) -> f64 {
     match value {
         Value::Array(items) => items.iter().map(largest).fold(0.0, f64::max),
         Value::Object(items) => items.values().map(largest).fold(0.0, f64::max),
-        value => value.as_f64().map_or(0.0, f64::abs),
+        Value::Number(number) => number.as_f64().map_or(0.0, f64::abs),
+        Value::Null | Value::Bool(_) | Value::String(_) => 0.0,
     }
 }
 
@@ -128,7 +129,7 @@ fn text(value: &Value) -> String {
     match value {
         Value::Array(items) => format!("a list of {}", items.len()),
         Value::Object(_) => "a table".into(),
-        value => value.to_string(),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => value.to_string(),
     }
 }
 

@@ -121,3 +121,37 @@ pub enum CurveError {
         deviation: f64,
     },
 }
+
+/// What of a curve an error is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CurvePart {
+    /// Its points.
+    Points,
+    /// Its degree.
+    Degree,
+    /// The knots of a spline.
+    Knots,
+    /// The weights of a rational curve.
+    Weights,
+    /// The circle or ellipse that an arc is of, and from where to where it turns.
+    Arc,
+    /// How near its pieces are to be.
+    Tolerance,
+}
+
+impl CurveError {
+    /// What it is about.
+    #[must_use]
+    pub const fn part(&self) -> CurvePart {
+        match self {
+            Self::Count { .. } | Self::NotFinite { .. } | Self::Point => CurvePart::Points,
+            Self::Degree { .. } => CurvePart::Degree,
+            Self::KnotCount { .. } | Self::KnotOrder { .. } | Self::KnotMultiplicity { .. } => {
+                CurvePart::Knots
+            }
+            Self::WeightCount { .. } | Self::Weight { .. } => CurvePart::Weights,
+            Self::Axes { .. } | Self::Radius { .. } | Self::Angles { .. } => CurvePart::Arc,
+            Self::Tolerance { .. } | Self::NotMet { .. } => CurvePart::Tolerance,
+        }
+    }
+}

@@ -17,7 +17,7 @@ pub use bezier::Bezier;
 pub(crate) use bezier::raised_once;
 pub use boundary::BoundaryCurve;
 pub use ellipse_arc::EllipseArc;
-pub use error::CurveError;
+pub use error::{CurveError, CurvePart};
 pub use fit::{CurveFit, Deviation};
 pub use polyline::Polyline;
 pub use samples::Samples;

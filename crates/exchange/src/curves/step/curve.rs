@@ -397,7 +397,14 @@ impl Fields<'_> {
     fn references(&self, place: usize) -> Result<Vec<u64>, CurveFileError> {
         let values = self.list(place)?.iter().map(|value| match value {
             Value::Reference(id) => Ok(*id),
-            _other => Err(self.wrong(&format!("parameter {} should be a list of instances", place + 1))),
+            Value::Number(_)
+            | Value::Text(_)
+            | Value::Word(_)
+            | Value::Absent
+            | Value::List(_)
+            | Value::Typed(..) => {
+                Err(self.wrong(&format!("parameter {} should be a list of instances", place + 1)))
+            }
         });
         values.collect()
     }
@@ -405,7 +412,14 @@ impl Fields<'_> {
     fn numbers(&self, place: usize) -> Result<Vec<f64>, CurveFileError> {
         let values = self.list(place)?.iter().map(|value| match value {
             Value::Number(x) => Ok(*x),
-            _other => Err(self.wrong(&format!("parameter {} should be a list of numbers", place + 1))),
+            Value::Reference(_)
+            | Value::Text(_)
+            | Value::Word(_)
+            | Value::Absent
+            | Value::List(_)
+            | Value::Typed(..) => {
+                Err(self.wrong(&format!("parameter {} should be a list of numbers", place + 1)))
+            }
         });
         values.collect()
     }
