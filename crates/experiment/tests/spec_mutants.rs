@@ -474,7 +474,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("arc of a whole circle", RINGS, &[("radius = 0.5 }", "radius = 0.5, arc = «[0, 90]» }")], Conflict, &["arc", "no `ends`"]),
     // Faces.
     mutant("arc without from", FACES, &[("circle = { center = [0.5, 0.5, 0], normal = [0, 0, 1], radius = 0.7071067811865476, from = [1, 1, 0], arc = [0, 180] }", "circle = «{ center = [0.5, 0.5, 0], normal = [0, 0, 1], radius = 0.7071067811865476, arc = [0, 180] }»")], Missing, &["from", "arc = [0, 180]"]),
-    mutant("from beside the circle", FACES, &[("from = [1, 1, 0]", "from = «[1, 2, 0]»")], Inadmissible, &["no point of the circle", "0.70710678"]),
+    mutant("from beside the circle", FACES, &[("from = [1, 1, 0]", "from = «[1, 2, 0]»")], Inadmissible, &["does not lie on the circle", "0.70710678"]),
     mutant("arc of nothing", FACES, &[("arc = [0, 180]", "arc = «[90, 90]»")], Inadmissible, &["must turn"]),
     mutant("arc of two turns", FACES, &[("arc = [0, 180]", "arc = «[-360, 360]»")], Inadmissible, &["full turn"]),
     mutant("vertex misspelt", FACES, &[("vertices = [\"c\", \"a\", \"o\"]", "vertices = [\"c\", «\"aa\"», \"o\"]")], Conflict, &["nothing holds", "\"aa\"", "did you mean \"a\"?"]),

@@ -322,7 +322,7 @@ fn direction(table: &Table<'_>, circle: &EllipseArc, from: &Spanned<[f64; 3]>) -
     }
     table.faults().inadmissible(
         from.span(),
-        format!("`from` of {} is no point of the circle", table.name()),
+        format!("`from` of {} does not lie on the circle", table.name()),
         format!("{} from the center, {} from the plane", shown(inside.norm()), shown(up)),
         format!("give a point at the distance {} from `center`, perpendicular to `normal`", shown(radius)),
     );

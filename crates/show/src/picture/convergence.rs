@@ -47,25 +47,12 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     drawn.push(best);
     let runs: Vec<&SearchRun> = drawn.iter().map(|&k| &search.runs[k]).collect();
 
-    let of = if runs.len() < search.runs.len() {
-        format!("{} of {}", runs.len(), search.runs.len())
-    } else {
-        runs.len().to_string()
+    let inside = match Quantity::of_search(search.energy).power() {
+        0 => "",
+        _ => " (length²)",
     };
-    let (unit, inside) = match Quantity::of_search(search.energy).power() {
-        0 => ("", ""),
-        _ => (" length²", " (length²)"),
-    };
-    let caption = format!("{of} runs; least value {:.7}{unit}", search.minimum);
-    svg.heading([20.0, y + 4.0], name, 70, &caption);
+    heading(svg, name, search, runs.len(), y);
     let (top, bottom) = (y + 56.0, y + SIZE[1] - 54.0);
-    let mut key = SIZE[0] - 210.0;
-    for (label, colour, width) in [("a run", RUN, 1.0), ("the best run", ACCENT, 2.0)] {
-        svg.line([key, y + 20.0], [key + 22.0, y + 20.0], colour, width);
-        svg.text([key + 28.0, y + 24.0], Anchor::Start, Font::SMALL, label);
-        key += 86.0;
-    }
-
     let finite = || runs.iter().flat_map(|run| run.history.iter().copied()).filter(|value| value.is_finite());
     let length = runs.iter().map(|run| run.history.len()).max().unwrap_or(1);
     let low = finite().fold(search.minimum, f64::min);
@@ -103,6 +90,27 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     if least < 1e-3 * largest {
         let note = format!("smallest gap {}", Notation::Digits(4).of(least));
         svg.text([832.0, top + 14.0], Anchor::End, Font { colour: FAINT, ..Font::SMALL }, &note);
+    }
+}
+
+/// The name of the method, how many runs are drawn and which line is which.
+fn heading(svg: &mut Svg, name: &str, search: &SearchOutcome, drawn: usize, y: f64) {
+    let of = if drawn < search.runs.len() {
+        format!("{drawn} of {}", search.runs.len())
+    } else {
+        drawn.to_string()
+    };
+    let unit = match Quantity::of_search(search.energy).power() {
+        0 => "",
+        _ => " length²",
+    };
+    let caption = format!("{of} runs; least value {:.7}{unit}", search.minimum);
+    svg.heading([20.0, y + 4.0], name, 70, &caption);
+    let mut key = SIZE[0] - 210.0;
+    for (label, colour, width) in [("a run", RUN, 1.0), ("the best run", ACCENT, 2.0)] {
+        svg.line([key, y + 20.0], [key + 22.0, y + 20.0], colour, width);
+        svg.text([key + 28.0, y + 24.0], Anchor::Start, Font::SMALL, label);
+        key += 86.0;
     }
 }
 

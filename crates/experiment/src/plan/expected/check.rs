@@ -59,18 +59,8 @@ impl Subject {
             | Q::ConformalityGap
             | Q::MeanCurvatureMax
             | Q::MeanCurvatureRms => None,
-            Q::AreaEstimate => match self {
-                Self::Patch { .. } | Self::Film { .. } => None,
-                Self::Helicoid | Self::Net | Self::Curve { .. } => {
-                    Some("what lies above the least area is estimated of what spans a boundary: take the key out")
-                }
-            },
-            Q::LowerBound => match self {
-                Self::Patch { bound, .. } | Self::Film { bound, .. } if bound != Some(false) => None,
-                Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => {
-                    Some("only least areas with bound = true have it: add that, or take the key out")
-                }
-            },
+            Q::AreaEstimate => self.lacks_estimate(),
+            Q::LowerBound => self.lacks_bound(),
             Q::CoonsFunctional => self.unless_made_by(
                 |interior| matches!(interior, Interior::Extremal(Functional::Coons)),
                 "only what minimises it has it, energy = \"coons\": take the key out",
@@ -89,13 +79,7 @@ impl Subject {
                     Some("only tensor patches over four sides have this figure: take the key out")
                 }
             },
-            Q::Deviation => match self {
-                Self::Helicoid => None,
-                Self::Net => Some("no closed form of a net that is given is known: take the key out"),
-                Self::Patch { .. } | Self::Film { .. } | Self::Curve { .. } => {
-                    Some("`deviation` is for helicoids: write `boundary-deviation` or `rim-deviation`, or take the key out")
-                }
-            },
+            Q::Deviation => self.lacks_deviation(),
             Q::Kink | Q::RimDeviation => (!matches!(self, Self::Film { .. }))
                 .then_some("only surfaces over loops and faces have this figure: take the key out"),
             Q::SpannedOneByOne => (!matches!(self, Self::Film { least: None | Some(true), loops: None | Some(2), .. }))
@@ -108,6 +92,37 @@ impl Subject {
                 ),
             },
             Q::Shape(_) | Q::SearchMinimum => self.lacks_shape(quantity == Q::SearchMinimum),
+        }
+    }
+
+    /// The same of what lies above the least area.
+    fn lacks_estimate(self) -> Option<&'static str> {
+        match self {
+            Self::Patch { .. } | Self::Film { .. } => None,
+            Self::Helicoid | Self::Net | Self::Curve { .. } => Some(
+                "how far an area lies above the least one is estimated only for surfaces that span a boundary: take the key out",
+            ),
+        }
+    }
+
+    /// The same of a proved bound.
+    fn lacks_bound(self) -> Option<&'static str> {
+        match self {
+            Self::Patch { bound, .. } | Self::Film { bound, .. } if bound != Some(false) => None,
+            Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => {
+                Some("only least areas with bound = true have it: add that, or take the key out")
+            }
+        }
+    }
+
+    /// The same of the distance to a closed form.
+    fn lacks_deviation(self) -> Option<&'static str> {
+        match self {
+            Self::Helicoid => None,
+            Self::Net => Some("no closed form is known for a net that is given: take the key out"),
+            Self::Patch { .. } | Self::Film { .. } | Self::Curve { .. } => Some(
+                "`deviation` is for helicoids: write `boundary-deviation` or `rim-deviation`, or take the key out",
+            ),
         }
     }
 
