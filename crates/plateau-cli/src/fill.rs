@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use exchange::{AssemblyOptions, CurveFile, read_curves};
 use experiment::{Filling, ImportError, ImportOptions};
-use plateau::{Fill, Film, MethodError, Progress};
+use plateau::{Fill, Film, MethodFailure, Progress};
 use show::film_figures;
 
 use crate::bars::Bars;
@@ -79,10 +79,10 @@ fn spanned(filling: &Filling, fill: &Fill, name: &str, quiet: bool) -> Result<Fi
     bars.begin(&format!("surface over {name}"), None);
     let film = filling.span(fill, &bars);
     bars.end();
-    film.map_err(|error| match error {
-        MethodError::Cutting(error) => Failure::of_input(name, error),
-        MethodError::Interrupted => Failure::Interrupted,
-        error => {
+    film.map_err(|error| match error.failure() {
+        MethodFailure::Boundary => Failure::of_input(name, error),
+        MethodFailure::Interrupted => Failure::Interrupted,
+        MethodFailure::Memory | MethodFailure::Method => {
             say(&format!("error: {name}: {error}"));
             Failure::Result
         }

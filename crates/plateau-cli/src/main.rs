@@ -1,5 +1,7 @@
 //! The `plateau` command: a list of steps; everything they do lives in the library.
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 

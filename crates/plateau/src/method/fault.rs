@@ -32,7 +32,9 @@ pub enum MethodFault {
     #[error("the corner weight {0} of a mask is not finite")]
     MaskWeight(f64),
     /// A lower bound of a family that has none.
-    #[error("lower bounds are proved only for least areas in the Bernstein basis, and this method uses another")]
+    #[error(
+        "lower bounds are proved only for least areas in the Bernstein basis, and this method uses another"
+    )]
     Bound,
     /// Layers of patches in a family whose functions do not make several.
     #[error("layers of smaller patches are made only in the Bernstein basis, and this method uses another")]
