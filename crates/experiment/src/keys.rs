@@ -40,6 +40,17 @@ pub(crate) static EXPECT: Key<Inner> = Key::table("expect", Inner(&expect::SECTI
 pub(crate) static OUTPUT: Key<Inner> = Key::table("output", Inner(&output::SECTION));
 pub(crate) static SWEEP: Key<Inner> = Key::table("sweep", Inner(&sweep::SECTION));
 
+/// The tables that say where a surface lies: with another value in one of them two surfaces cannot be compared.
+pub(crate) static GEOMETRY: [&str; 7] = [
+    BOUNDARY.name(),
+    CURVE.name(),
+    VERTEX.name(),
+    FACE.name(),
+    NET.name(),
+    HELICOID.name(),
+    TRAPEZIUM.name(),
+];
+
 /// The file as a whole.
 pub(crate) static EXPERIMENT: Section = Section {
     doc: "an experiment file of plateau: one of [boundary] or [[face]] with [[method]] tables, [helicoid], [trapezium-helicoid], [net], [curve]",

@@ -6,6 +6,7 @@
 
 mod arrangement;
 mod boundary;
+mod built;
 mod curve;
 mod curves;
 mod draft;

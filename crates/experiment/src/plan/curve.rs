@@ -8,6 +8,7 @@ use serde_spanned::Spanned;
 use surfaces::Point;
 
 use super::Wanted;
+use super::built::built;
 use super::expected::check::{Subject, wanted};
 use super::shape::shape_of_curve;
 use crate::keys::curve::{BASIS, ENDS, FUNCTION, POINTS, Pair, SAMPLES, SHAPE, SPAN, Sampling};
@@ -42,11 +43,7 @@ pub(super) fn curve(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(Vec<
         if dimension == 2 { curve.planar() } else { Ok(curve) }
     };
     let curves: Result<Vec<Curve>, MethodError> = bases?.into_iter().map(curve).collect();
-    let refused = |error| {
-        let what = format!("[curve] is no curve: {error}");
-        table.faults().inadmissible(table.span(), what, "all of it together", "change its numbers");
-    };
-    Some((curves.map_err(refused).ok()?, wanted?))
+    Some((built(table, table.span(), curves)?, wanted?))
 }
 
 /// The parameters of a basis, as the file has them.

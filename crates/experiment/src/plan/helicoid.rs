@@ -2,9 +2,10 @@
 
 use plateau::{Construction, DeformationPath, Helicoid};
 use serde_spanned::Spanned;
-use surfaces::{SurfaceError, TrapeziumHelicoid};
+use surfaces::TrapeziumHelicoid;
 
 use super::Wanted;
+use super::built::built;
 use super::expected::check::{Subject, wanted};
 use crate::keys::helicoid::trapezium::{BETA, CONSTRUCTION, GAMMA, SPAN};
 use crate::keys::helicoid::{A, B, FRAMES, PATH, PATH_DEGREE, Path, SMALLEST_WEIGHT, U_SPAN, V_SPAN};
@@ -22,26 +23,12 @@ pub(super) fn helicoid(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(H
     }
     let (u_span, v_span) = (u_span?.into_inner(), v_span?.into_inner());
     let form = surfaces::Helicoid::new(a.into_inner(), b.into_inner(), u_span, v_span);
-    let helicoid = Helicoid::new(told(table, form)?);
+    let helicoid = Helicoid::new(built(table, table.span(), form)?);
     let helicoid = match deformation? {
-        Some((frames, path)) => told(table, helicoid.deformed(frames, path))?,
+        Some((frames, path)) => built(table, table.span(), helicoid.deformed(frames, path))?,
         None => helicoid,
     };
     Some((helicoid, wanted?))
-}
-
-/// What the geometry refuses beyond the limits of single keys.
-fn told<T>(table: &Table<'_>, made: Result<T, SurfaceError>) -> Option<T> {
-    made.map_err(|error| {
-        let span = table.span();
-        table.faults().inadmissible(
-            span,
-            format!("{} makes no surface: {error}", table.name()),
-            "all of it together",
-            "change its numbers",
-        );
-    })
-    .ok()
 }
 
 fn is_large_enough(table: &Table<'_>, a: &Spanned<f64>, b: &Spanned<f64>) -> bool {
@@ -145,7 +132,7 @@ pub(super) fn trapezium(
         );
         return None;
     }
-    let helicoid = told(table, TrapeziumHelicoid::new(span, gamma, beta))?;
+    let helicoid = built(table, table.span(), TrapeziumHelicoid::new(span, gamma, beta))?;
     Some(((helicoid, construction?), wanted?))
 }
 

@@ -3,11 +3,12 @@
 use std::ops::Range;
 
 use bases::{Aht, At, BasisFamily};
-use plateau::{MIN_SIZE, MethodError, NetBasis, OrderSix, OwnNet, ShapedFamily, counted};
+use plateau::{MIN_SIZE, NetBasis, OrderSix, OwnNet, ShapedFamily, counted};
 use serde_spanned::Spanned;
 use surfaces::{Net, Point};
 
 use super::Wanted;
+use super::built::built;
 use super::expected::check::{Subject, wanted};
 use super::shape::fixed_shape;
 use crate::keys::helicoid::SHORTEST;
@@ -53,14 +54,8 @@ pub(super) fn net(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(OwnNet
         BasisFamily::Aht => order_six(table, &rows, counts, &directions, Aht::SUPREMUM).map(NetBasis::Aht),
         BasisFamily::At => order_six(table, &rows, counts, &directions, At::SUPREMUM).map(NetBasis::At),
     };
-    let net = OwnNet::new(points, basis.filter(|_| fits)?).map_err(|error| refused(table, &rows, &error));
-    Some((net.ok()?, wanted?))
-}
-
-/// What the geometry refuses beyond the limits of single keys.
-fn refused(table: &Table<'_>, rows: &Rows, error: &MethodError) {
-    let what = format!("[net] is no net of this basis: {error}");
-    table.faults().inadmissible(rows.span(), what, "the net", "change its points, or the basis");
+    let net = built(table, rows.span(), OwnNet::new(points, basis.filter(|_| fits)?));
+    Some((net?, wanted?))
 }
 
 /// One of u and v: the keys it has.
@@ -162,7 +157,7 @@ fn order_six(
     }
     let [u, v] = [0, 1].map(|k| directions[k].read(table, counts[k], bound));
     let ((u_span, u_cuts), (v_span, v_cuts)) = (u?, v?);
-    OrderSix::new([u_span, v_span], [u_cuts, v_cuts]).map_err(|error| refused(table, rows, &error)).ok()
+    built(table, rows.span(), OrderSix::new([u_span, v_span], [u_cuts, v_cuts]))
 }
 
 impl Direction {

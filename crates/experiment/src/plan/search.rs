@@ -2,6 +2,7 @@
 
 use plateau::{MAX_SEARCH_BUDGET, Search, SearchFault, Variant};
 
+use super::built::built;
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::keys::search::{
     BOX, COGNITIVE, INERTIA, ITERATIONS, NEIGHBOURS, PARTICLES, RUNS, SOCIAL, Topology, VARIANT,
@@ -34,13 +35,13 @@ pub(super) fn search(table: &Table<'_>) -> Option<Search> {
             .with_weights(inertia, social, cognitive)?
             .with_box(lower, upper)
     };
-    let refused = |fault: SearchFault| match fault {
-        SearchFault::Budget(budget) => beyond_budget(table, budget, counts),
-        SearchFault::Count { .. } | SearchFault::Weight { .. } | SearchFault::Box(..) => {
-            table.faults().inadmissible(table.span(), fault.to_string(), "this search", "change its numbers")
+    match search() {
+        Err(SearchFault::Budget(budget)) => {
+            beyond_budget(table, budget, counts);
+            None
         }
-    };
-    search().map_err(refused).ok()
+        made => built(table, table.span(), made),
+    }
 }
 
 fn bounds(table: &Table<'_>) -> Option<[f64; 2]> {

@@ -9,6 +9,7 @@ use serde_spanned::Spanned;
 use super::address::Address;
 use super::frame::{Frame, frames};
 use super::range::Taken;
+use crate::keys::GEOMETRY;
 use crate::keys::sweep::axis::{
     BOUNDARIES, BY, COUNT, FROM, KEY, LABELS, NAME, SCALE, SPACING, TO, VALUES, WITH,
 };
@@ -76,13 +77,11 @@ impl Axis {
     /// Whether its values have boundaries of their own: what is least among them says nothing.
     #[must_use]
     pub fn moves_the_boundary(&self) -> bool {
-        const WITHIN: [&str; 8] =
-            ["boundary", "curve", "vertex", "face", "net", "helicoid", "trapezium-helicoid", "deformation"];
         match &self.action {
             Action::Scale(_) | Action::Boundaries(_) => true,
             Action::Replace(addresses) => addresses
                 .iter()
-                .any(|address| address.get_ref().outermost().is_some_and(|table| WITHIN.contains(&table))),
+                .any(|address| address.get_ref().outermost().is_some_and(|table| GEOMETRY.contains(&table))),
         }
     }
 
