@@ -104,7 +104,7 @@ impl Form {
         let (what, families) = match self {
             Self::Points(_) => return true,
             Self::Function(function) => (function.get_ref().name(), function.get_ref().families()),
-            Self::Ends(_) => ("`ends`", of_order_six.as_slice()),
+            Self::Ends(_) => ("what `ends` give", of_order_six.as_slice()),
         };
         if families.contains(family.get_ref()) {
             return true;
@@ -115,7 +115,7 @@ impl Form {
             (span, "not in the space of this basis"),
             (family.span(), "the basis"),
             format!("basis = {said} in [curve] does not hold this `{key}`"),
-            format!("{what} is for {}", quoted.join(" and ")),
+            format!("{what} is in {}: change the basis, or give `points`", quoted.join(" and ")),
         );
         false
     }
