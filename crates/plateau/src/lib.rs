@@ -35,7 +35,7 @@
 //! | noun | here |
 //! |---|---|
 //! | boundaries | [`Boundary`]: [`TensorBoundary`], [`OppositeSides`] in a [`Direction`], [`TriangleBoundary`]; [`Corner`], [`Gap`], [`BoundaryError`], [`Degeneracy`]; [`MAX_DEGREE`], [`MAX_COORDINATE`], [`MIN_SIZE`] |
-//! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`], [`Conditioning`], [`nonnegative_shapes()`]; [`Energy`], [`SearchEnergy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
+//! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`], [`Conditioning`], [`nonnegative_shapes()`], [`BasisFamily`]; [`Energy`], [`SearchEnergy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
 //! | numbers for people | [`Notation`], [`counted()`], [`rough_duration()`] |
 //! | running one | [`Context`], [`Arithmetic`], [`MethodError`] with its [`MethodFailure`] |
 //! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |

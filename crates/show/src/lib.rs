@@ -10,7 +10,7 @@
 //! | noun | here |
 //! |---|---|
 //! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`]; [`film_figures()`] with a [`RimSource`] |
-//! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`construction()`], [`conditioning()`], [`nonnegativity_region()`], [`by_mean_curvature()`] |
+//! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`construction()`] with [`AT_FIGURE_6`], [`conditioning()`], [`nonnegativity_region()`] with [`REGION_DEGREES`], [`by_mean_curvature()`] |
 //! | studies | [`Study`], [`StudyRow`]s, [`Multiples`] of [`Panel`]s |
 //! | the page | [`page()`], [`About`]; [`Comparison`], [`Verdict`] |
 //! | text on a terminal | [`Printable`], [`stand_ins()`], [`width_of_names()`] |
