@@ -31,7 +31,8 @@ impl From<Integral> for Measured {
 struct Row {
     name: &'static str,
     key: &'static str,
-    power: i32,
+    /// None where it depends on what was searched for.
+    power: Option<i32>,
     meaning: &'static str,
     value: fn(&Done, usize) -> Option<Measured>,
 }
@@ -39,7 +40,7 @@ struct Row {
 /// The enum of figures, the list of them and their rows, from one line each: variant, name, place in a record, power of the length in the
 /// unit, meaning, value.
 macro_rules! quantities {
-    ($($variant:ident $([$index:ident])? = $name:literal, $key:literal, $power:literal, $meaning:literal, $value:expr;)*) => {
+    ($($variant:ident $([$index:ident])? = $name:literal, $key:literal, $power:tt, $meaning:literal, $value:expr;)*) => {
         /// A figure of a result.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Quantity {
@@ -52,7 +53,7 @@ macro_rules! quantities {
 
             const fn row(self) -> Row {
                 match self {
-                    $(Self::$variant { .. } => Row { name: $name, key: $key, power: $power, meaning: $meaning, value: $value },)*
+                    $(Self::$variant { .. } => Row { name: $name, key: $key, power: quantities!(@power $power), meaning: $meaning, value: $value },)*
                 }
             }
 
@@ -72,6 +73,8 @@ macro_rules! quantities {
             }
         }
     };
+    (@power searched) => { None };
+    (@power $power:expr) => { Some($power) };
     (@type $index:ident) => { usize };
     (@zero $index:ident) => { 0 };
     (@index) => { None };
@@ -98,9 +101,9 @@ quantities! {
         |done, _| done.solved.solve?.metric.map(Into::into);
     ConformalityGap = "conformality-gap", "conformality_gap", 0, "(D − A)/A, 0 exactly for conformal charts",
         |done, _| done.figures.conformality_gap.map(Into::into);
-    MeanCurvatureMax = "mean-curvature-max", "mean_curvature.max_abs", -1, "the largest |H| at the vertices of the mesh, 1/length",
+    MeanCurvatureMax = "mean-curvature-max", "mean_curvature.max_abs", (-1), "the largest |H| at the vertices of the mesh, 1/length",
         |done, _| done.figures.mean_curvature_max.map(Into::into);
-    MeanCurvatureRms = "mean-curvature-rms", "mean_curvature.rms", -1, "the root mean square of H over the area, 1/length",
+    MeanCurvatureRms = "mean-curvature-rms", "mean_curvature.rms", (-1), "the root mean square of H over the area, 1/length",
         |done, _| done.figures.mean_curvature_rms.map(Into::into);
     Residual = "residual", "residual", 0, "the scaled residual of the linear system: about 1 is rounding, above 30 a failure",
         |done, _| done.solved.solve.map(|solve| solve.residual.into());
@@ -132,10 +135,10 @@ quantities! {
         |done, _| done.film.as_ref()?.one_by_one.map(Into::into);
     Shape[k] = "shape", "shape", 0, "the shape parameters: one number for all of them, or a list",
         |done, index| done.solved.shape.as_ref().and_then(|shape| shape.get(index).copied()).map(Into::into);
-    SearchMinimum = "search-minimum", "search.minimum", 2,
-        "the least best value of the search's runs; of energies length²",
+    SearchMinimum = "search-minimum", "search.minimum", searched,
+        "the least best value of the search's runs: of energies length², of the conformality gap a number",
         |done, _| done.solved.search.as_ref().map(|search| search.minimum.into());
-    Curvature[k] = "curvature", "curvature", -1,
+    Curvature[k] = "curvature", "curvature", (-1),
         "the curvature of a curve at its samples: one number for all, or a list; signed for planar curves", |_, _| None;
 }
 
@@ -208,10 +211,22 @@ impl Quantity {
         self.row().key
     }
 
-    /// It scales as this power of a length.
+    /// It scales as this power of a length; none where that depends on what was searched for ([`Self::power_in`]).
     #[must_use]
-    pub const fn power(self) -> i32 {
+    pub const fn power(self) -> Option<i32> {
         self.row().power
+    }
+
+    /// The power of a length as which it scales among the figures of a patch; none of what the patch was not searched for.
+    ///
+    /// ```
+    /// use plateau::{Quantity, SearchEnergy};
+    /// assert_eq!(Quantity::SearchMinimum.power(), None);
+    /// assert_eq!(Quantity::of_search(SearchEnergy::Conformality).power(), Some(0));
+    /// ```
+    #[must_use]
+    pub fn power_in(self, done: &Done) -> Option<i32> {
+        self.power().or_else(|| Self::of_search(done.solved.search.as_ref()?.energy).power())
     }
 
     /// What it is, with its unit.

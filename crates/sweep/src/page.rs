@@ -107,10 +107,8 @@ pub(crate) fn plots(merged: &Merged) -> Multiples {
 
 fn unit(key: &str) -> String {
     let found = Quantity::ALL.iter().find(|quantity| quantity.key() == key);
-    // What a search minimises may have no unit.
-    let power =
-        found.filter(|&&quantity| quantity != Quantity::SearchMinimum).map_or(0, |quantity| quantity.power());
-    match power {
+    // What a search minimises may have a unit or none: its energy says which.
+    match found.and_then(|quantity| quantity.power()).unwrap_or(0) {
         0 => String::new(),
         1 => " (length)".to_owned(),
         2 => " (length²)".to_owned(),

@@ -36,8 +36,8 @@ fn compared() -> impl Iterator<Item = Compared> {
     // The largest kink is compared with their mean.
     let is_compared = |quantity: &&Quantity| quantity.is_of_the_surface() && **quantity != Quantity::Kink;
     let figures = Quantity::ALL.iter().filter(is_compared);
-    let figures =
-        figures.map(|quantity| (quantity.key(), quantity.power(), quantity.is_free_of_parameters()));
+    let figures = figures
+        .map(|quantity| (quantity.key(), quantity.power().unwrap_or(0), quantity.is_free_of_parameters()));
     SURFACE.into_iter().chain(figures)
 }
 

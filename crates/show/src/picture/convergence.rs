@@ -48,8 +48,8 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     let runs: Vec<&SearchRun> = drawn.iter().map(|&k| &search.runs[k]).collect();
 
     let inside = match Quantity::of_search(search.energy).power() {
-        0 => "",
-        _ => " (length²)",
+        Some(2) => " (length²)",
+        _ => "",
     };
     heading(svg, name, search, runs.len(), y);
     let (top, bottom) = (y + 56.0, y + SIZE[1] - 54.0);
@@ -101,8 +101,8 @@ fn heading(svg: &mut Svg, name: &str, search: &SearchOutcome, drawn: usize, y: f
         drawn.to_string()
     };
     let unit = match Quantity::of_search(search.energy).power() {
-        0 => "",
-        _ => " length²",
+        Some(2) => " length²",
+        _ => "",
     };
     let caption = format!("{of} runs; least value {:.7}{unit}", search.minimum);
     svg.heading([20.0, y + 4.0], name, 70, &caption);

@@ -152,8 +152,8 @@ impl Shows {
         }
     }
 
-    /// It scales as this power of a length.
-    fn power(self) -> i32 {
+    /// It scales as this power of a length, if that is always the same.
+    fn power(self) -> Option<i32> {
         match self {
             Self::Value(quantity) => quantity.power(),
             Self::AreaError => Quantity::Area.power(),
@@ -191,7 +191,7 @@ impl Figure {
     /// The figure of a patch in words; empty where there is none. `is_exact`: the experiment is of surfaces with a closed form.
     pub(crate) fn cell(&self, done: &Done, is_exact: bool) -> String {
         let Some(value) = self.shows.of(done) else { return self.missing.into() };
-        let unit = done.figures.dirichlet.value.sqrt().powi(self.shows.power());
+        let unit = done.figures.dirichlet.value.sqrt().powi(self.shows.power().unwrap_or(0));
         if is_exact && self.vanishes_if_exact && value.abs() < 1e-6 * unit {
             return Notation::Order.of(value);
         }
@@ -201,11 +201,11 @@ impl Figure {
 }
 
 /// The unit of what scales as this power of a length.
-fn unit(power: i32) -> &'static str {
+fn unit(power: Option<i32>) -> &'static str {
     match power {
-        -1 => "1/length",
-        1 => "length",
-        2 => "length²",
+        Some(-1) => "1/length",
+        Some(1) => "length",
+        Some(2) => "length²",
         _ => "",
     }
 }
