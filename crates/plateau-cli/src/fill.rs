@@ -36,7 +36,8 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     }
     stdout.flush()?;
     let title = title(&arguments.files[0]);
-    let filled = Filled { filling: &filling, fill: &fill, film: &film, title: &title };
+    let files = file_names(&arguments.files);
+    let filled = Filled { filling: &filling, fill: &fill, film: &film, title: &title, files: &files };
     let mut sound = true;
     for output in &outputs {
         sound &= output.written(&filled, arguments.unit, &name)?;
@@ -91,6 +92,12 @@ fn spanned(filling: &Filling, fill: &Fill, name: &str, quiet: bool) -> Result<Fi
 
 fn names(files: &[PathBuf]) -> String {
     files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>().join(", ")
+}
+
+/// What files are called without their folders.
+fn file_names(files: &[PathBuf]) -> String {
+    let name = |file: &PathBuf| file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
+    files.iter().map(name).collect::<Vec<_>>().join(", ")
 }
 
 /// What a file is called without its folder and ending.

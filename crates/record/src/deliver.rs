@@ -19,7 +19,7 @@ use crate::{Destination, Manifest, atomic, export};
 use exchange::{Format, write_curves, write_deformation};
 use experiment::{Finished, Plan};
 use plateau::{Done, Progress};
-use show::{About, Comparison, Scene, Verdict, page, pictures};
+use show::{About, Comparison, Scene, Source, Verdict, page, pictures};
 
 /// What was written of a finished experiment.
 #[derive(Debug)]
@@ -200,7 +200,7 @@ impl Delivery<'_> {
             self.keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
         }
         let manifest = Manifest::of(self.plan, self.finished);
-        let about = about(self.plan, self.finished, &manifest, listed);
+        let about = about(self.plan, self.finished, &manifest, (Source::Experiment(&manifest.file), listed));
         let report = page(results, &about, scene.as_ref(), &pictures);
         self.keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))
     }
@@ -219,21 +219,22 @@ impl Delivery<'_> {
     }
 }
 
-/// The page of a finished experiment by itself: no file lies beside it.
+/// The page of a finished experiment by itself, which was made of the curves of files of these names: no file lies beside it.
 #[must_use]
-pub fn report(plan: &Plan, finished: &Finished) -> String {
+pub fn report(plan: &Plan, finished: &Finished, curves: &str) -> String {
     let scene = Scene::of(&finished.results);
     let pictures = pictures(&finished.results, scene.as_ref());
     let manifest = Manifest::of(plan, finished);
-    page(&finished.results, &about(plan, finished, &manifest, Vec::new()), scene.as_ref(), &pictures)
+    let about = about(plan, finished, &manifest, (Source::Curves(curves), Vec::new()));
+    page(&finished.results, &about, scene.as_ref(), &pictures)
 }
 
 /// What the page says beside the results.
 fn about<'a>(
     plan: &'a Plan,
     finished: &'a Finished,
-    manifest: &'a Manifest,
-    files: Vec<String>,
+    manifest: &Manifest,
+    (source, files): (Source<'a>, Vec<String>),
 ) -> About<'a> {
     let expected = finished.comparisons().map(|(name, expected, ours)| {
         let met = ours.is_some_and(|ours| expected.is_met_by(ours));
@@ -249,7 +250,7 @@ fn about<'a>(
         })
     });
     About {
-        file: &manifest.file,
+        source,
         text: &plan.text,
         seed: finished.seed,
         comparisons: expected.chain(printed).collect(),

@@ -83,7 +83,7 @@ fn catenoid() -> plateau::Results {
 fn an_unstable_least_area_shows_how_it_gives_way() {
     let mut results = catenoid();
     let about = || show::About {
-        file: "catenoid.toml",
+        source: show::Source::Experiment("catenoid.toml"),
         text: "",
         seed: 0,
         comparisons: Vec::new(),

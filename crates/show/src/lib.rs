@@ -12,7 +12,7 @@
 //! | tables | [`table()`], [`Cells`], [`Column`], [`grid()`], [`WIDTH`]; [`film_figures()`] with a [`RimSource`] |
 //! | pictures | [`Scene`], [`pictures()`], [`Picture`], [`PICTURES`], [`basis_functions()`], [`construction()`] with [`AT_FIGURE_6`], [`conditioning()`], [`nonnegativity_region()`] with [`REGION_DEGREES`], [`by_mean_curvature()`] |
 //! | studies | [`Study`], [`StudyRow`]s, [`Multiples`] of [`Panel`]s |
-//! | the page | [`page()`], [`About`]; [`Comparison`], [`Verdict`] |
+//! | the page | [`page()`], [`About`], [`Source`]; [`Comparison`], [`Verdict`] |
 //! | text on a terminal | [`Printable`], [`stand_ins()`], [`width_of_names()`] |
 
 #![warn(clippy::wildcard_enum_match_arm)]
@@ -28,7 +28,7 @@ mod table;
 
 pub use curvature_colours::by_mean_curvature;
 pub use film::{RimSource, film_figures};
-pub use page::{About, Comparison, Study, StudyRow, Verdict, page, study_page};
+pub use page::{About, Comparison, Source, Study, StudyRow, Verdict, page, study_page};
 pub use picture::{
     AT_FIGURE_6, Multiples, PICTURES, Panel, Picture, REGION_DEGREES, basis_functions, conditioning,
     construction, multiples, nonnegativity_region, pictures,

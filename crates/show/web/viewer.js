@@ -498,7 +498,10 @@
     $("low").textContent = (more && field.signed ? "≤ " : "") + written(low);
     $("middle").textContent = field.signed ? "0" : written(high / 2);
     $("high").textContent = (more ? "≥ " : "") + written(high);
-    $("quantity").textContent = `${field.name} ${field.symbol}`.trim() + (field.unit ? ` in ${field.unit}` : "");
+    const size = field.signed ? `|${field.symbol}|` : field.symbol;
+    const clipped = `; clipped at ${field.signed ? "±" : ""}${written(field.full)}, largest ${size} ${written(field.largest)}`;
+    $("quantity").textContent =
+      `${field.name} ${field.symbol}`.trim() + (field.unit ? ` in ${field.unit}` : "") + (more ? clipped : "");
   }
 
   function choose(index) {

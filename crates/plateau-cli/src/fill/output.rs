@@ -16,6 +16,8 @@ pub(super) struct Filled<'a> {
     pub(super) fill: &'a Fill,
     pub(super) film: &'a Film,
     pub(super) title: &'a str,
+    /// The files of its curves, without their folders.
+    pub(super) files: &'a str,
 }
 
 /// What is written.
@@ -77,9 +79,9 @@ impl Output {
                 form.map(|form| form.map(|form| form.description + &said(*format, unit)))
             }
             Wanted::Experiment => text(experiment()?),
-            Wanted::Result | Wanted::Page => text(
-                ran(filled.title, &experiment()?, wanted).map_err(|error| Failure::of_input(name, error))?,
-            ),
+            Wanted::Result | Wanted::Page => {
+                text(ran(filled, &experiment()?, wanted).map_err(|error| Failure::of_input(name, error))?)
+            }
         };
         match written {
             Ok(Some(form)) => say(&format!("{}: {form}", to.path().display())),
@@ -107,11 +109,11 @@ fn said(format: Format, unit: LengthUnit) -> String {
 }
 
 /// What comes of an experiment that is run: its record, or the page.
-fn ran(title: &str, text: &str, wanted: &Wanted) -> Result<String, Box<dyn std::error::Error>> {
-    let plan = Plan::parse(&format!("{title}.toml"), text)?;
+fn ran(filled: &Filled<'_>, text: &str, wanted: &Wanted) -> Result<String, Box<dyn std::error::Error>> {
+    let plan = Plan::parse(&format!("{}.toml", filled.title), text)?;
     let finished = experiment::run(&plan, Options::default(), &())?;
     match wanted {
-        Wanted::Page => Ok(record::report(&plan, &finished)),
+        Wanted::Page => Ok(record::report(&plan, &finished, filled.files)),
         Wanted::Surface(_) | Wanted::Experiment | Wanted::Result => {
             Ok(ResultFile::new(&plan, &finished).to_json()?)
         }

@@ -46,10 +46,7 @@ fn scene_value(scene: &Scene<'_>) -> Value {
     let best = best(scene);
     json!({
         "fields": described,
-        "field": opening(&scene.surfaces[best]).and_then(place).or_else(|| {
-            // Of minimal surfaces by formula the Gauss curvature is what there is to see.
-            (!scene.surfaces[best].is_least() && !fields.is_empty()).then_some(0)
-        }),
+        "field": opening(&scene.surfaces[best]).into_iter().find_map(place),
         "mode": place(Field::Mode),
         "scales": [scale(&|t| colour::diverging(2.0 * t - 1.0)), scale(&colour::sequential)],
         "none": colour::NONE,
@@ -73,13 +70,13 @@ fn best(scene: &Scene<'_>) -> usize {
     standings(&rows).iter().position(|standing| *standing == Standing::Best).unwrap_or(0)
 }
 
-/// The colour to begin with: mean curvature where it says something, which it does not of a least area; plain there, unless
-/// the surface is none that lasts.
-fn opening(shown: &Shown<'_>) -> Option<Field> {
+/// The colours to begin with, of which the first that there is is meant: mean curvature where it says something, which it does not of a
+/// least area; plain there, unless the surface is none that lasts. Of minimal surfaces by formula the Gauss curvature is what there is to see.
+fn opening(shown: &Shown<'_>) -> Vec<Field> {
     match (shown.is_unstable(), shown.is_least()) {
-        (true, _) => Some(Field::Mode),
-        (false, true) => None,
-        (false, false) => Some(Field::Mean),
+        (true, _) => vec![Field::Mode],
+        (false, true) => Vec::new(),
+        (false, false) => vec![Field::Mean, Field::Gauss],
     }
 }
 

@@ -12,7 +12,7 @@ use std::fmt::Write;
 use crate::picture::{Escaped, Picture};
 use crate::scene::Scene;
 use address::address;
-use plateau::Results;
+use plateau::{MethodResult, Results};
 use style::STYLE;
 
 pub use figures::{Comparison, Verdict};
@@ -29,11 +29,20 @@ const FILES: usize = 60;
 /// Most notes that are shown.
 const NOTES: usize = 100;
 
+/// What results were made from.
+#[derive(Debug, Clone, Copy)]
+pub enum Source<'a> {
+    /// An experiment file of this name.
+    Experiment(&'a str),
+    /// Curves of files of these names; the experiment was made of them.
+    Curves(&'a str),
+}
+
 /// What the page says beside the results.
 pub struct About<'a> {
-    /// The name of the experiment file.
-    pub file: &'a str,
-    /// Its text.
+    /// What the results were made from.
+    pub source: Source<'a>,
+    /// The text of the experiment.
     pub text: &'a str,
     /// The seed used.
     pub seed: u64,
@@ -67,7 +76,7 @@ pub fn page(results: &Results, about: &About<'_>, scene: Option<&Scene<'_>>, pic
     if !comparisons.is_empty() {
         let _ = writeln!(body, "<section>{comparisons}</section>");
     }
-    body += &experiment_file(about.text);
+    body += &experiment(about);
     let _ = writeln!(
         body,
         "<section><details><summary>Origin</summary>\n{}</details></section>",
@@ -75,14 +84,14 @@ pub fn page(results: &Results, about: &About<'_>, scene: Option<&Scene<'_>>, pic
     );
     // Nothing is ever loaded: the policy makes the browser hold us to it.
     let policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
-    let (file, seed) = (Escaped(about.file), about.seed);
+    let made = made(results, about);
     let surfaces = data::json(scene);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
          <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <header><div><h1>{title}</h1><p class=\"faint\">{file}, seed {seed}</p></div>\
+         <header><div><h1>{title}</h1><p class=\"faint\">{made}</p></div>\
          <button type=\"button\" id=\"theme\">Light or dark</button></header>\n\
          <main>\n{body}</main>\n\
          <footer class=\"faint\">Lengths carry the unit of the control points.</footer>\n\
@@ -91,8 +100,25 @@ pub fn page(results: &Results, about: &About<'_>, scene: Option<&Scene<'_>>, pic
     )
 }
 
-/// The files beside the page.
+/// What the results were made from; the seed where a search used it.
+fn made(results: &Results, about: &About<'_>) -> String {
+    let is_searched =
+        |method: &MethodResult| method.outcome.as_ref().is_ok_and(|done| done.solved.search.is_some());
+    let seed = match results.methods.iter().any(is_searched) {
+        true => format!(", seed {}", about.seed),
+        false => String::new(),
+    };
+    match about.source {
+        Source::Experiment(file) => format!("{}{seed}", Escaped(file)),
+        Source::Curves(files) => format!("The surface over the curves of {}{seed}", Escaped(files)),
+    }
+}
+
+/// The files beside the page; empty if there are none.
 fn downloads(files: &[String]) -> String {
+    if files.is_empty() {
+        return String::new();
+    }
     let mut html = String::from("<section><h2>Files</h2>\n<ul class=\"downloads\">\n");
     for file in files.iter().take(FILES) {
         let (address, name) = (address(std::slice::from_ref(file)), Escaped(file));
@@ -168,14 +194,19 @@ fn notes(results: &Results) -> String {
     html + "</ul>\n"
 }
 
-fn experiment_file(text: &str) -> String {
+fn experiment(about: &About<'_>) -> String {
+    let text = about.text;
+    let heading = match about.source {
+        Source::Experiment(_) => "Experiment file",
+        Source::Curves(_) => "As an experiment file",
+    };
     let end = text.floor_char_boundary(SHOWN);
     let rest = match text.len() - end {
         0 => String::new(),
         more => format!("<p class=\"faint\">{more} more bytes are not shown.</p>\n"),
     };
     format!(
-        "<section><details><summary>Experiment file</summary>\n<pre tabindex=\"0\">{}</pre>\n{rest}</details></section>\n",
+        "<section><details><summary>{heading}</summary>\n<pre tabindex=\"0\">{}</pre>\n{rest}</details></section>\n",
         Escaped(&text[..end])
     )
 }

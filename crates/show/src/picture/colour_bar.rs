@@ -2,6 +2,7 @@ use super::axis::ticks;
 use super::svg::{Anchor, Font, INK, Length, Svg};
 use crate::colour;
 use crate::scene::Field;
+use plateau::Notation;
 
 /// Width of the bar itself; its numbers stand to the right of it.
 const WIDTH: f64 = 14.0;
@@ -9,6 +10,23 @@ const WIDTH: f64 = 14.0;
 const DIGIT: f64 = 7.2;
 /// Stripes of colour.
 const STRIPES: usize = 64;
+
+/// Whether values lie beyond the colours.
+fn beyond(full: f64, largest: f64) -> bool {
+    largest > full * 1.000_001
+}
+
+/// Where the colours of a field end, if values lie beyond: for captions.
+pub(super) fn clipped(field: Field, full: f64, largest: f64) -> String {
+    if !beyond(full, largest) {
+        return String::new();
+    }
+    let [full, largest] = [full, largest].map(|x| Notation::Digits(3).of(x));
+    match (field.is_signed(), field.symbol()) {
+        (true, symbol) => format!(", clipped at ±{full}; largest |{symbol}| {largest}"),
+        (false, symbol) => format!(", clipped at {full}; largest {symbol} {largest}"),
+    }
+}
 
 /// A vertical colour bar for values up to ±`full` (from 0 for fields of one sign), with a pointed end where the largest
 /// value lies beyond. `left`, `top`, `height` of the bar without its points.
@@ -25,7 +43,7 @@ pub(super) fn draw(svg: &mut Svg, [left, top, height]: [f64; 3], field: Field, f
         let y = Length(y);
         svg.element(format_args!(r#"rect x="{x}" y="{y}" width="{w}" height="{h}" fill="{fill}""#));
     }
-    let beyond = largest > full * 1.000_001;
+    let beyond = beyond(full, largest);
     let mut outline = format!("M{left} {top}");
     if beyond {
         outline += &format!("L{tip} {}", top - 10.0);

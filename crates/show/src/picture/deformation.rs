@@ -1,7 +1,8 @@
 //! A deformation as a strip of frames.
 
+use super::camera::Camera;
 use super::svg::{Anchor, Font, Svg};
-use super::view::{CORNERS, Camera, axes, surface};
+use super::view::{CORNERS, axes, surface};
 use super::{Picture, colour_bar};
 use crate::scene::{Field, Scene, Shown, spread};
 use plateau::{Notation, Results};

@@ -27,6 +27,8 @@ const PIXELS: [usize; 2] = [96, 64];
 const NO_VALUE: u8 = 255;
 /// Largest |H| that is rounding, in units of the full scale.
 const ROUNDING: f64 = 1e-9;
+/// |H| of a least area that its degree leaves, in units of the full scale.
+const LEFT: f64 = 0.05;
 /// Level curves, in units of the full scale.
 const LEVELS: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
 
@@ -58,10 +60,11 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     }
     let bar = [CELL[0] * columns as f64 + 12.0, 46.0, SIDE];
     colour_bar::draw(&mut svg, bar, Field::Mean, full, largest);
-    let caption =
-        "Mean curvature H over the parameters, all methods on one scale. Thin lines are level curves at \
-                   quarters of the scale, the thick line is H = 0."
-            .into();
+    let clipped = colour_bar::clipped(Field::Mean, full, largest);
+    let caption = format!(
+        "Mean curvature H over the parameters, all methods on one scale{clipped}. Thin lines are level curves at \
+         quarters of the scale, the thick line is H = 0."
+    );
     Some(Picture { name: "mean-curvature", caption, svg: svg.finish() })
 }
 
@@ -100,8 +103,10 @@ fn map(
     svg.element(format_args!(
         r#"image x="{left_px}" y="{top_px}" width="{side}" height="{side}" preserveAspectRatio="none" clip-path="url(#{clip})" xlink:href="data:image/png;base64,{image}""#
     ));
-    // Level curves of rounding would only show its noise.
-    let levels = if largest.is_some_and(|h| h > ROUNDING * full) { LEVELS.as_slice() } else { &[] };
+    // Level curves of rounding, or of what the degree leaves of a minimal surface, would only show its noise.
+    let own = colour::full_scale(values.iter().flatten().copied(), ROUNDING * full);
+    let is_told = own.is_some_and(|own| !shown.is_least() || own > LEFT * full);
+    let levels = if is_told { LEVELS.as_slice() } else { &[] };
     for &level in levels {
         let (level, width) = (level * full, if level == 0.0 { 1.4 } else { 0.5 });
         let d = level_curve(chart, values, level, [left, bottom]);

@@ -3,10 +3,12 @@
 mod axis;
 mod basis;
 mod blend;
+mod camera;
 pub(crate) mod colour_bar;
 mod conditioning;
 mod construction;
 mod convergence;
+mod cover;
 mod curvature;
 mod deformation;
 mod drawing;

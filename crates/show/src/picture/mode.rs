@@ -1,8 +1,9 @@
 //! How surfaces that are unstable give way: the displacement of the second variation's smallest value as colour.
 
+use super::camera::Camera;
 use super::panels::arrange;
 use super::svg::Svg;
-use super::view::{self, BAR, CELL, CORNERS, Camera, HEAD, PANELS};
+use super::view::{self, BAR, CELL, CORNERS, HEAD, PANELS};
 use super::{Picture, colour_bar};
 use crate::scene::{Field, Scene, Shown};
 use plateau::Notation;

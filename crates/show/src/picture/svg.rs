@@ -14,6 +14,9 @@ pub(super) const ACCENT: &str = "#b3261e";
 pub(super) const LINES: [&str; 7] =
     [ACCENT, "#0b63b0", "#1a7f4b", "#8a4fb0", "#a05a00", "#00798a", "#4a4f57"];
 
+/// Half the width of slits between faces that are closed.
+const SLIT: f64 = 0.7;
+
 /// An SVG picture as it grows, on a white ground.
 pub(crate) struct Svg {
     body: String,
@@ -67,12 +70,15 @@ impl Svg {
     pub(super) fn open_smooth(&mut self, pixels: f64) {
         let pixels = Length(pixels.clamp(0.5, 8.0));
         let name = format!("smooth-{pixels}");
-        // What is blurred beyond the outline is made opaque again and cut off along it.
+        // What is blurred beyond the outline is made opaque again and cut off along it; slits between faces, which are no part
+        // of the outline, are closed first.
         let _ = writeln!(
             self.body,
             "<filter id=\"{name}\" color-interpolation-filters=\"sRGB\"><feGaussianBlur stdDeviation=\"{pixels}\"/>\
-             <feComponentTransfer><feFuncA type=\"linear\" slope=\"1000\"/></feComponentTransfer>\
-             <feComposite operator=\"in\" in2=\"SourceAlpha\"/></filter>"
+             <feComponentTransfer result=\"colours\"><feFuncA type=\"linear\" slope=\"1000\"/></feComponentTransfer>\
+             <feMorphology in=\"SourceAlpha\" operator=\"dilate\" radius=\"{SLIT}\"/>\
+             <feMorphology operator=\"erode\" radius=\"{SLIT}\" result=\"whole\"/>\
+             <feComposite operator=\"in\" in=\"colours\" in2=\"whole\"/></filter>"
         );
         self.open(format_args!(r#"filter="url(#{name})""#));
     }

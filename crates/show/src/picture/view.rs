@@ -2,12 +2,14 @@
 
 use surfaces::Point;
 
+use super::camera::Camera;
+use super::cover::Cover;
 use super::panels::arrange;
 use super::svg::{ACCENT, Anchor, FAINT, Font, INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
 use crate::scene::{Field, LARGEST_NET, LineKind, MOST_NET_DEGREE, Sample, Scene, Shown, spread};
-use plateau::{Energy, Notation};
+use plateau::Notation;
 
 /// Most views in one picture.
 pub(super) const PANELS: usize = 12;
@@ -22,13 +24,10 @@ const SMOOTHING: f64 = 0.6;
 /// Space for the colour bar.
 pub(super) const BAR: f64 = 110.0;
 
-/// Whether there is mean curvature to be seen: films of least area have the little that their degree leaves of 0.
+/// Whether there is mean curvature to be seen: least areas have the little that their degree leaves of 0.
 fn shows_mean_curvature(scene: &Scene<'_>) -> bool {
-    let is_least_film = |shown: &Shown<'_>| {
-        shown.sample.chart().is_none() && shown.done.solved.minimised == Some(Energy::Area)
-    };
-    scene.full_scale(Field::Mean).is_some()
-        && !(scene.surfaces.iter().all(is_least_film) && scene.full_scale(Field::Gauss).is_some())
+    let is_least = scene.surfaces.iter().all(Shown::is_least);
+    scene.full_scale(Field::Mean).is_some() && !(is_least && scene.full_scale(Field::Gauss).is_some())
 }
 
 /// The views of all surfaces, coloured by mean curvature, or by Gauss curvature where they are all minimal.
@@ -77,11 +76,10 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
         let at = [cell[0] * columns as f64 + 12.0, HEAD + 30.0, CELL[1] - 60.0];
         colour_bar::draw(&mut svg, at, field, full, largest);
     }
-    let coloured = if full.is_some() {
-        format!(", coloured by {} {}", field.name(), field.symbol())
-    } else {
-        String::new()
-    };
+    let coloured = full.zip(scene.largest(field)).map_or(String::new(), |(full, largest)| {
+        let clipped = colour_bar::clipped(field, full, largest);
+        format!(", coloured by {} {}{clipped}", field.name(), field.symbol())
+    });
     let undrawn = undrawn(&chosen);
     let caption = format!("{title}, from one direction and on one scale{coloured}{undrawn}.");
     Some(Picture { name: "surfaces", caption, svg: svg.finish() })
@@ -98,47 +96,6 @@ fn undrawn(chosen: &[&Shown<'_>]) -> String {
         (true, true) => format!("above degree {MOST_NET_DEGREE}, and those that would dwarf their surface,"),
     };
     format!("; nets {which} are not drawn")
-}
-
-/// A parallel projection.
-pub(super) struct Camera {
-    right: Point,
-    up: Point,
-    towards: Point,
-    scale: f64,
-    middle: [f64; 2],
-}
-
-impl Camera {
-    /// The camera in which all surfaces, and with `nets` their nets as far as they are drawn, fill a panel.
-    pub(super) fn fitting(scene: &Scene<'_>, shown: &[&Shown<'_>], nets: bool, panel: [f64; 2]) -> Self {
-        let [right, up, towards] = scene.direction.axes();
-        let mut camera = Self { right, up, towards, scale: 1.0, middle: [0.0; 2] };
-        let nets = shown.iter().filter(|s| nets && s.has_clear_net()).flat_map(|s| &s.net.points);
-        let [low, high] = camera.extent(scene, shown.iter().flat_map(|s| &s.sample.points).chain(nets));
-        camera.middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
-        let fit = |k: usize, room: f64| room / (high[k] - low[k]).max(1e-3);
-        camera.scale = fit(0, panel[0] - 28.0).min(fit(1, panel[1] - 28.0));
-        camera
-    }
-
-    fn extent<'a>(&self, scene: &Scene<'_>, points: impl Iterator<Item = &'a Point>) -> [[f64; 2]; 2] {
-        points.map(|&p| scene.local(p)).fold(
-            [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
-            |[low, high], p| {
-                let at = [p.dot(self.right), -p.dot(self.up)];
-                [[low[0].min(at[0]), low[1].min(at[1])], [high[0].max(at[0]), high[1].max(at[1])]]
-            },
-        )
-    }
-
-    /// Where a point of the scene's frame lies in a panel around `at`.
-    fn project(&self, p: Point, at: [f64; 2]) -> [f64; 2] {
-        [
-            at[0] + self.scale * (p.dot(self.right) - self.middle[0]),
-            at[1] + self.scale * (-p.dot(self.up) - self.middle[1]),
-        ]
-    }
 }
 
 /// Draws the faces of a surface, the farthest first; as fine as `most` corners of faces allow.
@@ -187,18 +144,12 @@ pub(super) fn surface(
         })
         .collect();
     let size = size / faces.len().max(1) as f64;
-    let borders = borders(sample, |k| scene.local(sample.points[k]), camera, at, stride);
-    // Borders lie between the faces and stay sharp.
-    let smooth = borders.is_empty();
-    faces.extend(borders);
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
-    if smooth {
-        svg.open_smooth(SMOOTHING * size);
-    }
+    svg.open_smooth(SMOOTHING * size);
     faces.iter().for_each(|(_, face)| svg.raw(face));
-    if smooth {
-        svg.close();
-    }
+    svg.close();
+    // Borders stay sharp, and those that faces hide are left out.
+    borders(scene, sample, camera, at, stride).iter().for_each(|border| svg.raw(border));
     rims(svg, scene, shown, camera, at);
 }
 
@@ -215,17 +166,13 @@ fn rims(svg: &mut Svg, scene: &Scene<'_>, shown: &Shown<'_>, camera: &Camera, at
     }
 }
 
-/// The borders of patches in pieces as long as faces, each with how near it is: what lies before them hides them.
-fn borders(
-    sample: &Sample,
-    point: impl Fn(usize) -> Point,
-    camera: &Camera,
-    at: [f64; 2],
-    stride: usize,
-) -> Vec<(f64, String)> {
-    /// Lines lie on the faces beside them.
-    const BEFORE: f64 = 0.05;
+/// The borders of patches in pieces as long as faces, without those that lie behind a face.
+fn borders(scene: &Scene<'_>, sample: &Sample, camera: &Camera, at: [f64; 2], stride: usize) -> Vec<String> {
     let mut pieces = Vec::new();
+    if sample.chart().is_some() {
+        return pieces;
+    }
+    let cover = Cover::new(scene, sample, camera, stride);
     for line in &sample.lines {
         let style = match line.kind {
             LineKind::Rim => continue,
@@ -233,10 +180,11 @@ fn borders(
             LineKind::Kink => format!(r#"stroke="{ACCENT}" stroke-width="1.6" stroke-linecap="round""#),
         };
         for ends in line.points.chunks(stride).zip(line.points.chunks(stride).skip(1)) {
-            let [p, q] = [ends.0[0], ends.1[0]].map(&point);
-            let d = path([p, q].map(|p| camera.project(p, at)), false);
-            let near = 0.5 * (p + q).dot(camera.towards) + BEFORE;
-            pieces.push((near, format!("<path d=\"{d}\" fill=\"none\" {style}/>\n")));
+            let ends = [ends.0[0], ends.1[0]].map(|k| scene.local(sample.points[k]));
+            if !cover.hides((ends[0] + ends[1]) * 0.5) {
+                let d = path(ends.map(|p| camera.project(p, at)), false);
+                pieces.push(format!("<path d=\"{d}\" fill=\"none\" {style}/>\n"));
+            }
         }
     }
     pieces
@@ -254,7 +202,13 @@ fn control_net(svg: &mut Svg, scene: &Scene<'_>, shown: &Shown<'_>, camera: &Cam
         r#"path d="{lines}" fill="none" stroke="{INK}" stroke-width="{width}" stroke-opacity="{opacity:.2}""#
     ));
     let radius = if dense { 1.2 } else { 2.3 };
-    for (&[x, y], &boundary) in places.iter().zip(&net.on_boundary) {
+    // Of a net all points are seen, of vertices those that no face hides.
+    let cover = shown.sample.chart().is_none().then(|| Cover::new(scene, &shown.sample, camera, 1));
+    let hidden = |k: usize| cover.as_ref().is_some_and(|cover| cover.hides(scene.local(net.points[k])));
+    for (k, (&[x, y], &boundary)) in places.iter().zip(&net.on_boundary).enumerate() {
+        if hidden(k) {
+            continue;
+        }
         let fill = if boundary { INK } else { "#ffffff" };
         let (x, y) = (Length(x), Length(y));
         svg.element(format_args!(
