@@ -113,6 +113,18 @@ fn an_unstable_least_area_shows_how_it_gives_way() {
     assert!(data["surfaces"][0]["caption"].as_str().unwrap().ends_with("second variation −0.125: unstable"));
 }
 
+#[test]
+fn a_page_made_of_curves_names_their_files_and_nothing_that_is_not() {
+    let text = include_str!("../../../fixtures/gallery/catenoid.toml");
+    let plan = Plan::parse("catenoid.toml", text).unwrap();
+    let page =
+        record::report(&plan, &run(&plan, Options::default(), &()).unwrap(), "ring <1>.obj, ring 2.obj");
+    assert!(
+        page.contains("<p class=\"faint\">The surface over the curves of ring &lt;1&gt;.obj, ring 2.obj</p>")
+    );
+    assert!(!page.contains("<h2>Files</h2>") && page.contains("As an experiment file"));
+}
+
 /// XML whose elements nest, whose attributes are quoted, and whose numbers are all finite.
 fn well_formed(svg: &str) {
     let mut open: Vec<&str> = Vec::new();
@@ -176,6 +188,7 @@ fn searches_over_a_boundary() {
     for words in ["37.4395612", "GT Dirichlet + PSO", "SHA-256", "seed 7", "[boundary]"] {
         assert!(report.contains(words), "{words}");
     }
+    assert!(report.contains("coloured by mean curvature H, clipped at ±"));
     // One scale for all methods: one bar, symmetric about 0.
     let map = files.read("mean-curvature.svg");
     assert_eq!(map.matches("mean curvature H (1/length)").count(), 1);

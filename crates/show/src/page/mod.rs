@@ -26,6 +26,9 @@ const SHOWN: usize = 64 * 1024;
 /// Most files that are listed.
 const FILES: usize = 60;
 
+/// Pictures of at most this width are read on a phone without being moved to and fro.
+const NARROW: f64 = 420.0;
+
 /// Most notes that are shown.
 const NOTES: usize = 100;
 
@@ -64,9 +67,10 @@ pub fn page(results: &Results, about: &About<'_>, scene: Option<&Scene<'_>>, pic
     let mut drawn = String::new();
     for picture in pictures {
         let (svg, caption) = (&picture.svg, Escaped(&picture.caption));
+        let narrow = if picture.width() <= NARROW { " narrow" } else { "" };
         let _ = writeln!(
             drawn,
-            "<figure><div class=\"picture\" tabindex=\"0\">{svg}</div><figcaption>{caption}</figcaption></figure>"
+            "<figure><div class=\"picture{narrow}\" tabindex=\"0\">{svg}</div><figcaption>{caption}</figcaption></figure>"
         );
     }
     if !drawn.is_empty() {

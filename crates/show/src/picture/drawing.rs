@@ -11,3 +11,11 @@ pub struct Picture {
     /// The whole file.
     pub svg: String,
 }
+
+impl Picture {
+    /// The width as the file states it.
+    pub(crate) fn width(&self) -> f64 {
+        let stated = self.svg.split_once("width=\"").and_then(|(_, rest)| rest.split_once('"'));
+        stated.and_then(|(width, _)| width.parse().ok()).unwrap_or(f64::INFINITY)
+    }
+}

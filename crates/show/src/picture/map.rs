@@ -27,8 +27,8 @@ const PIXELS: [usize; 2] = [96, 64];
 const NO_VALUE: u8 = 255;
 /// Largest |H| that is rounding, in units of the full scale.
 const ROUNDING: f64 = 1e-9;
-/// |H| of a least area that its degree leaves, in units of the full scale.
-const LEFT: f64 = 0.05;
+/// |H| of a least area that its degree leaves, in units of the full scale and of one over the radius of the scene.
+const LEFT: [f64; 2] = [0.05, 0.01];
 /// Level curves, in units of the full scale.
 const LEVELS: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
 
@@ -45,6 +45,7 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let [columns, rows] = arrange(chosen.len(), 4);
     let (width, height) = (CELL[0] * columns as f64 + BAR, CELL[1] * rows as f64);
     let mut svg = Svg::new(width, height, "Mean curvature H over the parameters u and v");
+    let least = (LEFT[0] * full).max(LEFT[1] / scene.radius);
     let pixels = PIXELS[usize::from(chosen.len() > 4)];
     for (k, &index) in chosen.iter().enumerate() {
         let shown = flat[index];
@@ -52,7 +53,7 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
         map(
             &mut svg,
             shown,
-            full,
+            (full, least),
             &image,
             [CELL[0] * (k % columns) as f64, CELL[1] * (k / columns) as f64],
             k,
@@ -71,7 +72,7 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
 fn map(
     svg: &mut Svg,
     (shown, chart): (&Shown<'_>, &Chart),
-    full: f64,
+    (full, least): (f64, f64),
     image: &str,
     [x, y]: [f64; 2],
     panel: usize,
@@ -105,7 +106,7 @@ fn map(
     ));
     // Level curves of rounding, or of what the degree leaves of a minimal surface, would only show its noise.
     let own = colour::full_scale(values.iter().flatten().copied(), ROUNDING * full);
-    let is_told = own.is_some_and(|own| !shown.is_least() || own > LEFT * full);
+    let is_told = own.is_some_and(|own| !shown.is_least() || own > least);
     let levels = if is_told { LEVELS.as_slice() } else { &[] };
     for &level in levels {
         let (level, width) = (level * full, if level == 0.0 { 1.4 } else { 0.5 });
