@@ -71,13 +71,14 @@ impl Svg {
         let pixels = Length(pixels.clamp(0.5, 8.0));
         let name = format!("smooth-{pixels}");
         // What is blurred beyond the outline is made opaque again and cut off along it; slits between faces, which are no part
-        // of the outline, are closed first.
+        // of the outline, are closed first: by their width where it is some pixels, else because they are hardly transparent.
         let _ = writeln!(
             self.body,
             "<filter id=\"{name}\" color-interpolation-filters=\"sRGB\"><feGaussianBlur stdDeviation=\"{pixels}\"/>\
              <feComponentTransfer result=\"colours\"><feFuncA type=\"linear\" slope=\"1000\"/></feComponentTransfer>\
              <feMorphology in=\"SourceAlpha\" operator=\"dilate\" radius=\"{SLIT}\"/>\
-             <feMorphology operator=\"erode\" radius=\"{SLIT}\" result=\"whole\"/>\
+             <feMorphology operator=\"erode\" radius=\"{SLIT}\"/>\
+             <feComponentTransfer result=\"whole\"><feFuncA type=\"linear\" slope=\"4\"/></feComponentTransfer>\
              <feComposite operator=\"in\" in=\"colours\" in2=\"whole\"/></filter>"
         );
         self.open(format_args!(r#"filter="url(#{name})""#));
