@@ -130,7 +130,7 @@ impl Reproduction {
     /// The table as text: a paragraph per experiment, a row per printed number, then the counts and the faults.
     pub fn table(&self) -> String {
         let rows: Vec<Vec<String>> = self.entries.iter().map(cells).collect();
-        let (lines, _) = grid(&Cells::new(COLUMNS.to_vec(), rows), usize::MAX);
+        let (lines, _) = grid(&Cells::new(columns(), rows), usize::MAX);
         let mut lines = lines.lines();
         let mut text = String::new();
         for line in lines.by_ref().take(2) {
@@ -198,15 +198,17 @@ fn entry(file: &str, title: &str, method: &MethodResult, published: &Published) 
     }
 }
 
-const COLUMNS: [Column; 7] = [
-    Column::words("  method", ""),
-    Column::words("printed in", ""),
-    Column::words("headed", ""),
-    Column::words("which is", ""),
-    Column::number("printed", ""),
-    Column::number("ours", ""),
-    Column::words("verdict", ""),
-];
+fn columns() -> Vec<Column> {
+    vec![
+        Column::words("  method", ""),
+        Column::words("printed in", ""),
+        Column::words("headed", ""),
+        Column::words("which is", ""),
+        Column::number("printed", ""),
+        Column::number("ours", ""),
+        Column::words("verdict", ""),
+    ]
+}
 
 fn cells(entry: &Reproduced) -> Vec<String> {
     vec![

@@ -24,9 +24,17 @@ pub(crate) struct Row {
 }
 
 /// What a column shows of a patch that is not one number.
-type Words = (&'static str, &'static str, fn(&Done) -> String);
+struct Words {
+    heading: &'static str,
+    /// What its numbers are called, where that is the same in all rows.
+    names: fn(&Done) -> &'static [&'static str],
+    of: fn(&Done) -> String,
+}
 
-const WORDS: [Words; 2] = [("weights", "a b", weights), ("shape", "α1 α2 β1 β2", shape)];
+const WORDS: [Words; 2] = [
+    Words { heading: "weights", names: |_| &["a", "b"], of: weights },
+    Words { heading: "shape", names: |done| done.solved.family.parameters(), of: shape },
+];
 
 /// Most notes whose numbers stand beside a name.
 const MARKS: usize = 3;
@@ -43,7 +51,7 @@ pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
     let mut columns = vec![Column::words(if is_exact { "surface" } else { "method" }, "")];
     columns.extend(shown.iter().map(|figure| figure.column_among(&done)));
     columns.insert(AREA.len() + 1, Column { rank: 2, ..Column::number("excess", "of area") });
-    columns.extend(WORDS.map(|(heading, beneath, _)| Column { rank: 6, ..Column::words(heading, beneath) }));
+    columns.extend(WORDS.map(|words| words.column_among(&done)));
     let mut first = 1;
     let row = |(index, (method, standing)): (usize, (&MethodResult, Standing))| {
         let notes = method.outcome.as_ref().map_or(0, |done| done.warnings.len());
@@ -54,7 +62,7 @@ pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
             Ok(done) => {
                 cells.extend(shown.iter().map(|figure| figure.cell(done, is_exact)));
                 cells.insert(AREA.len() + 1, standing.in_words());
-                cells.extend(WORDS.map(|(_, _, words)| words(done)));
+                cells.extend(WORDS.map(|words| (words.of)(done)));
             }
             Err(_) => {
                 cells.push("failed".into());
@@ -69,6 +77,16 @@ pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
         rows.sort_by_key(|row| row.standing == Standing::Apart);
     }
     Cells { columns, rows }.without_empty_columns()
+}
+
+impl Words {
+    fn column_among(&self, done: &[Option<&Done>]) -> Column {
+        let mut names =
+            done.iter().flatten().filter(|done| !(self.of)(done).is_empty()).map(|done| (self.names)(done));
+        let first = names.next().unwrap_or_default();
+        let beneath = if names.all(|other| other == first) { first.join(" ") } else { String::new() };
+        Column { rank: 6, ..Column::words(self.heading, beneath) }
+    }
 }
 
 /// The figures that begin every table.

@@ -45,7 +45,7 @@ pub fn grid(table: &Cells, room: usize) -> (String, Vec<&'static str>) {
     };
     let mut text = line(&|k| columns[k].heading.into());
     if kept.iter().any(|&k| !columns[k].unit.is_empty()) {
-        text += &line(&|k| columns[k].unit.into());
+        text += &line(&|k| columns[k].unit.clone().into_owned());
     }
     text += &line(&|k| "─".repeat(widths[k]));
     let mut before = Standing::Alone;
@@ -61,7 +61,7 @@ pub fn grid(table: &Cells, room: usize) -> (String, Vec<&'static str>) {
 
 fn widths(Cells { columns, rows }: &Cells) -> Vec<usize> {
     let width = |k: usize| {
-        let headings = [columns[k].heading, columns[k].unit].map(columns_of);
+        let headings = [columns[k].heading, &columns[k].unit].map(columns_of);
         let cells = rows.iter().map(|row| columns_of(&row.shown(k, columns[k].is_words, Printable::NAME)));
         headings.into_iter().chain(cells).max().unwrap_or(0)
     };
