@@ -97,6 +97,15 @@ for (const file of words) {
       return all.findIndex((points) =>
         points.length !== all[best].length || points.some((x, k) => Math.abs(x - all[best][k]) > 0.01));
     });
+    // Of a boundary in one point there is nothing to turn, of one on a line nothing to colour.
+    const [isPoint, isLine] = await page.evaluate(() => {
+      const read = (s) => new Float32Array(Uint8Array.from(atob(s.points), (c) => c.charCodeAt(0)).buffer);
+      const { best, surfaces } = JSON.parse(document.getElementById("surfaces").textContent), all = read(surfaces[best]);
+      const from = Array.from({ length: all.length / 3 }, (_, k) => [0, 1, 2].map((i) => all[3 * k + i] - all[i]));
+      const size = (p) => Math.hypot(...p), far = from.reduce((a, b) => (size(b) > size(a) ? b : a), [0, 0, 0]);
+      const across = ([x, y, z]) => size([y * far[2] - z * far[1], z * far[0] - x * far[2], x * far[1] - y * far[0]]);
+      return [size(far) < 1e-6, from.every((p) => across(p) < 1e-6)];
+    });
     if (other >= 0) await changes("another surface", () =>
       slider.count().then((found) => (found ? slider.fill(String(other)) : pick("methods", other))));
     if ((await page.locator("#fields .chip").count()) > 1)
@@ -105,16 +114,11 @@ for (const file of words) {
     if (await page.locator("#compare").isVisible()) {
       const count = await page.locator("#fields .chip").count();
       await changes("a surface beside it", () => page.locator("#compare").selectOption({ index: 1 }));
-      await changes("the distance as colour", () => pick("fields", count - 1));
+      if (isLine) await pick("fields", count - 1);
+      else await changes("the distance as colour", () => pick("fields", count - 1));
       must(/length/.test(await page.locator("#quantity").textContent()), "the distance has no unit");
       await changes("no surface beside it", () => page.locator("#compare").selectOption("-1"));
     }
-    // Of a boundary in one point there is nothing to turn.
-    const isPoint = await page.evaluate(() => {
-      const read = (s) => new Float32Array(Uint8Array.from(atob(s.points), (c) => c.charCodeAt(0)).buffer);
-      const { best, surfaces } = JSON.parse(document.getElementById("surfaces").textContent), all = read(surfaces[best]);
-      return all.every((x, k) => Math.abs(x - all[k % 3]) < 1e-6);
-    });
     if (!isPoint) await changes("an arrow key", () => canvas.press("ArrowLeft"));
     if (!isPoint) await changes("a drag", async () => {
       const box = await canvas.boundingBox();
