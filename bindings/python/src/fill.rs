@@ -110,7 +110,7 @@ pub(crate) fn fill_loops(
 ) -> PyResult<(Surface, Vec<String>)> {
     let curves =
         curves.iter().enumerate().map(|(k, curve)| curve.curve(k + 1)).collect::<PyResult<Vec<_>>>()?;
-    let file = CurveFile { kind: Kind::Table, curves, notes: Vec::new() };
+    let file = CurveFile { kind: Kind::Table, curves, unit: None, notes: Vec::new() };
     options.surface(py, told.as_ref(), move |options, fill, progress| {
         let filling = Filling::new(vec![file], &options.curves());
         let filling = filling.map_err(|error| BoundaryError::new_err(error.to_string()))?;

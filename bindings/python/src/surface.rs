@@ -307,13 +307,7 @@ impl Found {
             Geometry::Complex(complex) => {
                 let mesh =
                     complex.mesh(subdivisions).map_err(|error| FormatError::new_err(error.to_string()))?;
-                record::export_complex(
-                    format,
-                    &self.stored.name,
-                    (complex, &mesh.mesh),
-                    exchange::LengthUnit::default(),
-                    to,
-                )
+                record::export_complex(format, &self.stored.name, (complex, &mesh.mesh), None, to)
             }
             Geometry::Tensor(_) | Geometry::Triangle(_) | Geometry::Pieces(_) => {
                 self.stored.export(format, subdivisions, tolerance, to)

@@ -2,8 +2,9 @@
 
 use surfaces::Point;
 
-use crate::CurveFile;
+use crate::{CurveFile, FileCurve};
 
+mod copies;
 mod corner;
 mod cycle_basis;
 mod error;
@@ -77,8 +78,16 @@ impl Assembly {
         let mut network = Network::new(file, &mut notes)?;
         let mut weld = weld::weld(&mut network, tolerance)?;
         junction::split(&mut network, tolerance, &mut weld)?;
-        network.close_loops();
         network.drop_copies(file, size, &mut notes);
+        network.close_loops();
+        // Of curves that are not closed it is the gap that is to be told.
+        let is_closed = |curve: &FileCurve| curve.closes || curve.shape.ends()[0] == curve.shape.ends()[1];
+        if !file.curves.iter().all(is_closed) {
+            gap::none(&network, file, &weld)?;
+        }
+        if is_line(file, size) {
+            return Err(AssemblyError::Line);
+        }
         gap::none(&network, file, &weld)?;
         if weld.count > 0 {
             notes.push(format!(
@@ -97,6 +106,18 @@ impl Assembly {
         }
         Ok(Self { vertices, sides, form, weld, corner_angle: angle, size, notes })
     }
+}
+
+/// Share of the size by which points of a line may lie beside it.
+const STRAIGHT: f64 = 1e-12;
+
+/// Whether all curves together are one straight line, to rounding.
+fn is_line(file: &CurveFile, size: f64) -> bool {
+    let points = || file.curves.iter().flat_map(|curve| curve.shape.sampled());
+    let Some(first) = points().next() else { return false };
+    let farthest = points().max_by(|a, b| first.distance(*a).total_cmp(&first.distance(*b)));
+    let Some(direction) = farthest.and_then(|p| (p - first).unit()) else { return false };
+    points().all(|p| (p - first).cross(direction).norm() <= STRAIGHT * (size + first.norm()))
 }
 
 /// The diagonal of the box around all curves, if it is a positive number.

@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use exchange::{Format, LengthUnit, Subject, SurfaceFile};
+use exchange::{Format, Subject, SurfaceFile};
 use surfaces::{Complex, Point, Vertex};
 
 fn text(complex: &Complex) -> String {
     let mesh = complex.mesh(2).unwrap().mesh;
-    let subject = Subject { name: "sewn", mesh: &mesh, colours: None, unit: LengthUnit::default() };
+    let subject = Subject { name: "sewn", mesh: &mesh, colours: None, unit: None };
     let mut out = Vec::new();
     SurfaceFile::of_complex(Format::Step, subject, complex).unwrap().write(&mut out).unwrap();
     String::from_utf8(out).unwrap()
@@ -93,7 +93,7 @@ fn what_cad_programs_cannot_read_is_refused() {
         complex(&SIX, &[[0, 1, 4, 3], [1, 2, 5, 4]]).with_degree(26).unwrap(),
     ] {
         let mesh = complex.mesh(2).unwrap().mesh;
-        let subject = Subject { name: "", mesh: &mesh, colours: None, unit: LengthUnit::default() };
+        let subject = Subject { name: "", mesh: &mesh, colours: None, unit: None };
         assert!(SurfaceFile::of_complex(Format::Step, subject, &complex).is_err());
     }
 }

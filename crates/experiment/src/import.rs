@@ -8,6 +8,7 @@ use crate::Plan;
 mod control;
 mod error;
 mod filling;
+mod nearness;
 mod options;
 mod printed;
 mod sides;
@@ -44,10 +45,10 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
     if !options.says_what_points_are() && sides::names(&file).is_some() {
         control::ask(&file)?;
     }
-    let title = title(name);
+    let (title, output) = (title(name), printed::output(file.unit));
     let said = |more: &[String]| -> Vec<String> { file.notes.iter().chain(more).cloned().collect() };
     let apart = match Sides::of_file(&file, options) {
-        Ok(Some(sides)) => return checked(sides.printed(&title, &said(&[]))),
+        Ok(Some(sides)) => return checked(sides.printed(&title, &said(&[])) + &output),
         Ok(None) => None,
         // Under names of their own they may be two loops, or branch.
         Err(ImportError::Corner(apart)) if !apart.named => Some(ImportError::Corner(apart)),
@@ -61,11 +62,11 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
     })?;
     let notes = said(&assembly.notes);
     match Sides::of_assembly(&assembly, options)? {
-        Some(sides) => checked(sides.printed(&title, &notes)),
+        Some(sides) => checked(sides.printed(&title, &notes) + &output),
         None => {
             let fill =
                 options.degree.map_or_else(Fill::default, |degree| Fill::default().with_degree(degree));
-            checked(printed::assembly(&title, &assembly, options, &fill, &notes))
+            checked(printed::assembly(&title, &assembly, options, &fill, &notes) + &output)
         }
     }
 }

@@ -174,3 +174,83 @@ fn control_points_that_make_no_curve_say_what_to_do() {
         assert!(error.contains(said) && error.starts_with("line 1"), "{error}");
     }
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// A `--weld` that is proposed is taken, and joins what it was proposed for.
+    #[test]
+    fn a_weld_that_is_proposed_is_one_that_joins(gaps in prop::collection::vec(0.0..0.7, 8), is_named in any::<bool>()) {
+        let names: &[&str] = if is_named { &["u0", "v1", "u1", "v0"] } else { &["a", "b", "c", "d"] };
+        let corner = |k: usize| [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]][k % 4];
+        let end = |k: usize, gap: f64| Point::new(corner(k)[0], corner(k)[1], gap);
+        let mut sides: Vec<Vec<Point>> =
+            (0..4).map(|k| vec![end(k, gaps[2 * k]), end(k + 1, gaps[2 * k + 1])]).collect();
+        sides[2].reverse();
+        sides[3].reverse();
+        let text = table(names, &sides);
+        let mut options = ImportOptions { control_points: true, ..ImportOptions::default() };
+        // One gap after the other is told, each wider than what was given.
+        for _ in 0..5 {
+            let Err(error) = import(text.as_bytes(), "-", &options) else { break };
+            let said = error.to_string();
+            let Some((_, proposed)) = said.split_once("`--weld ") else { break };
+            let proposed: f64 = proposed.split('`').next().unwrap().parse().unwrap();
+            prop_assert!(options.assembly.weld.is_none_or(|given| proposed > given), "{}", said);
+            options.assembly.weld = Some(proposed);
+            if let Err(error) = import(text.as_bytes(), "-", &options) {
+                let now = error.to_string();
+                prop_assert!(!now.contains("a quarter of the size") && now != said, "{} {}", said, now);
+            }
+        }
+    }
+}
+
+/// Samples of a bent circle.
+fn ring(count: usize) -> String {
+    let row = |k: usize| {
+        let (s, c) = (std::f64::consts::TAU * k as f64 / count as f64).sin_cos();
+        format!("{c:?},{s:?},{:?}\n", 0.3 * (c * c - s * s))
+    };
+    "x,y,z\n".to_owned() + &(0..count).map(row).collect::<String>()
+}
+
+#[test]
+fn the_tolerance_that_is_advised_makes_the_rim_as_near_as_the_accuracy() {
+    let mut advised = 0;
+    for count in [24, 200] {
+        for accuracy in [1e-3, 1e-5, 1e-7] {
+            let fill = Fill::default().with_accuracy(accuracy);
+            let coarse = filling(&ring(count), &ImportOptions::default()).unwrap();
+            let film = coarse.span(&fill, &()).unwrap();
+            let wanted = accuracy * film.figures.area.value;
+            let Some(advice) = coarse.advice(&fill, &film) else {
+                assert!(film.rim.area <= wanted);
+                continue;
+            };
+            assert!(film.rim.area > wanted);
+            let (_, tolerance) = advice.split_once("`--tolerance ").unwrap();
+            let tolerance: f64 = tolerance.split('`').next().unwrap().parse().unwrap();
+            let options = ImportOptions { tolerance: Some(tolerance), ..ImportOptions::default() };
+            let fine = filling(&ring(count), &options).unwrap();
+            let film = fine.span(&fill, &()).unwrap();
+            assert!(film.rim.area <= wanted, "{accuracy} {count}: {:?}", film.rim);
+            assert_eq!(fine.advice(&fill, &film), None);
+            advised += 1;
+        }
+    }
+    assert!(advised >= 2, "{advised}");
+}
+
+#[test]
+fn the_experiment_of_a_file_keeps_its_unit() {
+    let text = "# Units: inches\nv 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nl 1 2 3 4 1\n";
+    let printed =
+        filling(text, &ImportOptions::default()).unwrap().experiment("t", &Fill::default()).unwrap();
+    assert!(printed.ends_with("[output]\nstep-unit = \"inch\"\n"), "{printed}");
+    assert!(
+        import(text.as_bytes(), "-", &ImportOptions::default()).unwrap().ends_with("step-unit = \"inch\"\n")
+    );
+    let bare = text.replace("Units", "Made by");
+    assert!(!import(bare.as_bytes(), "-", &ImportOptions::default()).unwrap().contains("[output]"));
+}

@@ -242,7 +242,7 @@ pub(crate) struct FillArguments {
     /// Layers of smaller patches around corners where the surface is not smooth: 0 or 1
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1))]
     pub(crate) layers: u16,
-    /// Raise the degree until the area is estimated to lie less than this share above the least; corners that hold it up get a layer
+    /// Raise the degree until the area is estimated to lie less than this share above the least; corners that hold it up get a layer. How near the rim is to samples is said by --tolerance
     #[arg(long, value_name = "SHARE", value_parser = accuracy)]
     pub(crate) accuracy: Option<f64>,
     /// Prove a lower bound of the area, where the rim bounds a graph over a plane
@@ -257,9 +257,9 @@ pub(crate) struct FillArguments {
     /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) weld: Option<f64>,
-    /// What the numbers are, for STEP files, which say so; they are written unchanged
-    #[arg(long, value_name = "UNIT", default_value = "mm", value_parser = one_of(LengthUnit::NAMED))]
-    pub(crate) unit: LengthUnit,
+    /// What the numbers are: STEP files say so, GLB is scaled to its metres; by default what the files say, else CAD programs take them for millimetres
+    #[arg(long, value_name = "UNIT", value_parser = one_of(LengthUnit::NAMED))]
+    pub(crate) unit: Option<LengthUnit>,
     /// Subdivisions of each side of a patch in meshes
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(1..=100))]
     pub(crate) mesh: u16,
@@ -306,7 +306,7 @@ pub(crate) struct ExportArguments {
     /// STEP: what the numbers are; they are written unchanged
     #[arg(long, value_name = "UNIT", default_value = "mm", value_parser = one_of(LengthUnit::NAMED))]
     pub(crate) unit: LengthUnit,
-    /// The file to write, for a single method; by default files beside the result, named after their methods
+    /// The file to write, for a single method; by default files beside the result, named after their methods, and after a result that is not called result.json
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }

@@ -29,12 +29,12 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
     }
     let format = arguments.format;
     let step = StepForm { tolerance: arguments.tolerance, unit: arguments.unit };
-    let folder = result.parent().unwrap_or(Path::new(""));
+    let (folder, prefix) = (result.parent().unwrap_or(Path::new("")), prefix(result));
     let mut sound = true;
     for method in chosen {
         let to = match &arguments.out {
             Some(path) => named(path, result)?,
-            None => Destination::own(folder.join(format!("{}.{}", method.file_name, format.name()))),
+            None => Destination::own(folder.join(format!("{prefix}{}.{}", method.file_name, format.name()))),
         };
         let path = to.path().display();
         let written = method.export(format, arguments.mesh.into(), step, &to);
@@ -51,6 +51,13 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
         }
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
+}
+
+/// What the files of a result begin with, so that results in one folder keep theirs apart: nothing for the one that `run` writes.
+fn prefix(result: &Path) -> String {
+    let stem = result.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    stem.filter(|_| result.file_name().is_some_and(|name| name != "result.json"))
+        .map_or_else(String::new, |stem| stem + ".")
 }
 
 /// The file a person asked for; never the result itself.

@@ -28,6 +28,10 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     let files = arguments.files.iter().map(|path| curves(path)).collect::<Result<Vec<_>, Failure>>()?;
     let filling =
         Filling::new(files, &options(arguments)).map_err(|error| Failure::of_input(&name, error))?;
+    let filling = match arguments.unit {
+        Some(unit) => filling.with_unit(unit),
+        None => filling,
+    };
     filling.notes().iter().for_each(|note| say(&format!("note: {note}")));
     let fill = method(arguments);
     let film = spanned(&filling, &fill, &name, arguments.quiet)?;
@@ -35,12 +39,13 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
         line(stdout, &format!("{name:<16}{value}"))?;
     }
     stdout.flush()?;
+    filling.advice(&fill, &film).iter().for_each(|note| say(&format!("note: {note}")));
     let title = title(&arguments.files[0]);
     let files = file_names(&arguments.files);
     let filled = Filled { filling: &filling, fill: &fill, film: &film, title: &title, files: &files };
     let mut sound = true;
     for output in &outputs {
-        sound &= output.written(&filled, arguments.unit, &name)?;
+        sound &= output.written(&filled, &name)?;
     }
     if sound { Ok(()) } else { Err(Failure::Result) }
 }

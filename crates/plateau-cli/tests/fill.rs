@@ -132,6 +132,7 @@ fn what_cannot_be_filled_or_written_says_what_to_do() {
     fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();
     let triangle = |k: i32| format!("v {k} 0 0\nv {k} 0.5 0\nv {k} 0 0.5\nl -3 -2 -1 -3\n");
     fs::write(folder.path().join("three.obj"), (0..3).map(triangle).collect::<String>()).unwrap();
+    fs::write(folder.path().join("line.csv"), "x,y,z\n0,0,0\n1,1,1\n2,2,2\n").unwrap();
     for (arguments, said) in [
         (vec!["hexagon.obj", "-o", "x.jpg"], "step"),
         (vec!["hexagon.obj", "-o", "hexagon.obj"], "would be replaced"),
@@ -139,6 +140,7 @@ fn what_cannot_be_filled_or_written_says_what_to_do() {
         (vec!["hexagon.obj", "--tolerance", "0"], "tolerance"),
         (vec!["three.obj"], "[[face]]"),
         (vec!["nowhere.obj"], "nowhere.obj"),
+        (vec!["line.csv"], "one straight line"),
     ] {
         let out = fill(folder.path(), &arguments);
         assert_eq!(out.status.code(), Some(2), "{arguments:?}");
@@ -243,4 +245,77 @@ fn a_layer_around_corners_comes_out_in_every_format() {
         .output()
         .unwrap();
     assert!(verified.status.success(), "{}", text(&verified.stdout));
+}
+
+#[test]
+fn what_the_numbers_are_is_carried_to_what_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let scale = |path: &str| -> f64 {
+        let bytes = fs::read(folder.path().join(path)).unwrap();
+        let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+        let root: serde_json::Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
+        root["nodes"][0]["scale"][0].as_f64().unwrap_or(1.0)
+    };
+    for (comment, options, unit, metres) in [
+        ("# Units: inches\n", vec![], "CONVERSION_BASED_UNIT('INCH'", 0.0254),
+        ("# Units: inches\n", vec!["--unit", "cm"], ".CENTI.,.METRE.", 0.01),
+        ("", vec!["--unit", "mm"], ".MILLI.,.METRE.", 0.001),
+        // Nothing is known: as ever.
+        ("", vec![], ".MILLI.,.METRE.", 1.0),
+    ] {
+        fs::write(folder.path().join("rim.obj"), format!("{comment}{HEXAGON}")).unwrap();
+        let out = fill(folder.path(), &[vec!["rim.obj", "-o", "x.step", "-o", "x.glb"], options].concat());
+        assert!((area(&out) - 1.5 * SKEW).abs() < 1e-10);
+        let step = fs::read_to_string(folder.path().join("x.step")).unwrap();
+        assert!(step.contains(unit), "{unit}");
+        assert_eq!(scale("x.glb"), metres);
+        let said = text(&out.stderr);
+        assert_eq!(said.contains("--unit says what they are"), metres == 1.0, "{said}");
+    }
+}
+
+#[test]
+fn results_in_one_folder_keep_their_exports_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();
+    fs::write(folder.path().join("l.obj"), CONCAVE).unwrap();
+    for (file, result) in [("hexagon.obj", "a.json"), ("l.obj", "b.json"), ("l.obj", "result.json")] {
+        assert!(fill(folder.path(), &[file, "-o", result]).status.success());
+    }
+    let mut files = Vec::new();
+    for result in ["a.json", "b.json", "result.json"] {
+        let out = Command::new(env!("CARGO_BIN_EXE_plateau"))
+            .args(["export", result, "--format", "obj"])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert!(out.status.success());
+        files.push(text(&out.stdout).trim().to_owned());
+    }
+    assert_eq!(files[2], "least-area.obj");
+    let content = |k: usize| fs::read_to_string(folder.path().join(&files[k])).unwrap();
+    assert!(content(0) != content(1) && content(1) == content(2), "{files:?}");
+}
+
+#[test]
+fn the_error_of_an_area_holds_that_of_its_rim() {
+    let folder = tempfile::tempdir().unwrap();
+    // 40 samples of a circle in a plane, met within a tolerance that shows.
+    let row = |k: i32| {
+        let (s, c) = (f64::from(k) * std::f64::consts::TAU / 40.0).sin_cos();
+        format!("{c},{s},0\n")
+    };
+    let rows: String = (0..40).map(row).collect();
+    fs::write(folder.path().join("circle.csv"), format!("x,y,z\n{rows}")).unwrap();
+    let mut errors = Vec::new();
+    for tolerance in ["1e-2", "1e-4", "1e-6"] {
+        let out = fill(folder.path(), &["circle.csv", "--tolerance", tolerance]);
+        let printed = text(&out.stdout);
+        let error = printed.lines().next().unwrap().split(" ± ").nth(1).unwrap();
+        let error: f64 = error.split([':', '\n']).next().unwrap().parse().unwrap();
+        let off = (area(&out) - std::f64::consts::PI).abs();
+        assert!(off <= error, "{tolerance}: {off} {error}");
+        errors.push(error);
+    }
+    assert!(errors[2] < errors[1] && errors[1] < errors[0], "{errors:?}");
 }

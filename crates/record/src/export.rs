@@ -76,7 +76,7 @@ pub fn export_complex(
     format: Format,
     name: &str,
     (complex, mesh): (&Complex, &Mesh),
-    unit: LengthUnit,
+    unit: Option<LengthUnit>,
     to: &Destination,
 ) -> Result<Option<SurfaceForm>, ExportError> {
     let coloured = by_mean_curvature(mesh);
@@ -104,7 +104,9 @@ fn encode(
     place: &dyn Fn(Fill<'_>) -> io::Result<()>,
 ) -> Result<Option<SurfaceForm>, ExportError> {
     let coloured = by_mean_curvature(mesh);
-    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()), unit: step.unit };
+    // The unit is that of STEP files.
+    let unit = Some(step.unit).filter(|_| format == Format::Step);
+    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()), unit };
     placed(SurfaceFile::new(format, subject, (surface, family), step.tolerance), path, place)
 }
 

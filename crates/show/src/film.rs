@@ -13,11 +13,10 @@ pub struct RimSource {
     pub moved: f64,
 }
 
-/// What a film is, as names and values: the area with its error, how far it is from the least, how it was cut, what its rim is.
+/// What a film is, as names and values: the area with all of its error, how far it is from the least, how it was cut, what its rim is.
 #[must_use]
 pub fn film_figures(film: &Film, rim: RimSource) -> Vec<(&'static str, String)> {
-    let area = film.figures.area;
-    let mut rows = vec![("area", format!("{} ± {}", figure(area.value), Notation::Order.of(area.error)))];
+    let mut rows = vec![("area", area(film))];
     rows.extend(least_area(film).map(|text| ("least area", text)));
     if let Some(bound) = &film.bound {
         let text = format!("≥ {}, proved of {}", figure(bound.value), bound.competitors.name());
@@ -50,6 +49,21 @@ pub fn film_figures(film: &Film, rim: RimSource) -> Vec<(&'static str, String)> 
     rows
 }
 
+/// The area with all of its error: that of the integral, and what it can cost that the rim is not quite the curves.
+fn area(film: &Film) -> String {
+    let area = film.figures.area;
+    let order = |x| Notation::Order.of(x);
+    let total = format!("{} ± {}", figure(area.value), order(area.error + film.rim.area));
+    if film.rim.area == 0.0 {
+        return total;
+    }
+    format!(
+        "{total}: {} of the integral, and up to about {} because the rim is not quite the curves",
+        order(area.error),
+        order(film.rim.area)
+    )
+}
+
 /// What is estimated of the least area over the rim, or why nothing is.
 fn least_area(film: &Film) -> Option<String> {
     if let Some(estimate) = film.estimate {
@@ -76,11 +90,7 @@ fn faces(film: &Film) -> String {
 /// How the rim meets the curves.
 fn met(film: &Film, rim: RimSource) -> String {
     match film.rim.largest {
-        largest if largest > 0.0 => format!(
-            "within {} of the curves, which can change the area by {}",
-            Notation::Order.of(largest),
-            Notation::Order.of(film.rim.area)
-        ),
+        largest if largest > 0.0 => format!("within {} of the curves", Notation::Order.of(largest)),
         _ if rim.sampled => "exact in the points given, a smooth curve between them".into(),
         _ => "exact".into(),
     }

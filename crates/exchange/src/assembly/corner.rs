@@ -13,6 +13,8 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
     let incidence = network.incidence();
     let mut is_vertex = vec![false; network.points.len()];
     let mut turns: Vec<f64> = Vec::new();
+    // How much sides turn where the file begins another one.
+    let mut joints: Vec<f64> = Vec::new();
     // Nodes between two segments that are no corners by their turn.
     let mut bends: Vec<(usize, f64)> = Vec::new();
     for (node, links) in incidence.iter().enumerate() {
@@ -31,19 +33,19 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
         }
         let turn = turn(network, neighbours(network, node, [a, b]), node);
         // Regular polygons with exactly this turn are smooth whatever rounding does.
-        if turn > angle * (1.0 + 1e-6) {
-            is_vertex[node] = true;
-            turns.push(turn);
-        } else {
-            bends.push((node, turn));
-            is_vertex[node] = is_joint(file, first.curve, second.curve);
+        let is_corner = turn > angle * (1.0 + 1e-6);
+        is_vertex[node] = is_corner || is_joint(file, first.curve, second.curve);
+        match (is_corner, is_vertex[node]) {
+            (true, _) => turns.push(turn),
+            (false, true) => joints.push(turn),
+            (false, false) => bends.push((node, turn)),
         }
     }
     let before = is_vertex.clone();
     bends.retain(|&(node, turn)| {
         let links = [incidence[node][0], incidence[node][1]];
         let is_alone = neighbours(network, node, links).iter().all(|&end| before[end]);
-        let is_corner = !before[node] && is_alone && turn > LONE * angle && !is_side(network, file, links);
+        let is_corner = is_alone && turn > LONE * angle && !is_side(network, file, links);
         if is_corner {
             is_vertex[node] = true;
             turns.push(turn);
@@ -52,20 +54,36 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
     });
     let sharpest = bends.iter().fold(0.0, |sharpest, &(_, turn)| f64::max(sharpest, turn));
     if !turns.is_empty() || sharpest > 0.5 * angle {
-        let degrees = |turn: f64| format!("{:.0}°", turn.to_degrees());
-        let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
-        let corners = match turns.len() {
-            0 => "no corners".into(),
-            1 => format!("1 corner, turning by {}", degrees(least)),
-            count => format!("{count} corners, turning by {} or more", degrees(least)),
-        };
-        notes.push(format!(
-            "polylines have {corners}; elsewhere they turn by {} at most (--corner-angle {:.0})",
-            degrees(sharpest),
-            angle.to_degrees()
-        ));
+        notes.push(said(&turns, &joints, sharpest, angle));
     }
     is_vertex
+}
+
+/// A sentence on the corners that were found by their turn, on the ends of sides that a file has besides, and on what is left.
+fn said(turns: &[f64], joints: &[f64], sharpest: f64, angle: f64) -> String {
+    let degrees = |turn: f64| format!("{:.0}°", turn.to_degrees());
+    let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
+    let corners = match turns.len() {
+        0 => "no corners".into(),
+        1 => format!("1 corner, turning by {}", degrees(least)),
+        count => format!("{count} corners, turning by {} or more", degrees(least)),
+    };
+    let most = joints.iter().copied().fold(0.0, f64::max);
+    let joints = match joints.len() {
+        0 => String::new(),
+        1 => format!(", and 1 more where the file begins another side, turning by {}", degrees(most)),
+        count => {
+            format!(
+                ", and {count} more where the file begins another side, turning by {} at most",
+                degrees(most)
+            )
+        }
+    };
+    format!(
+        "polylines have {corners}{joints}; elsewhere they turn by {} at most (--corner-angle {:.0})",
+        degrees(sharpest),
+        angle.to_degrees()
+    )
 }
 
 /// The other ends of two links at a node.

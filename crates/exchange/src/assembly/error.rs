@@ -17,6 +17,11 @@ pub enum AssemblyError {
     /// All points of all curves are one point, or their box is too large for a number.
     #[error("the curves have no size: all their points are the same, or too far apart")]
     NoSize,
+    /// All points on one line.
+    #[error(
+        "all points of the curves lie on one straight line, and a surface needs an area: is a side missing, or a coordinate?"
+    )]
+    Line,
     /// Ends of curves that meet nothing.
     #[error("{0}")]
     Gap(String),

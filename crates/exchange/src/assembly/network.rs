@@ -1,10 +1,11 @@
 //! Points that curves share, and the links between them.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use surfaces::Point;
 
 use super::AssemblyError;
+use super::copies::Copies;
 use crate::{CurveFile, Shape};
 
 /// A segment of a polyline or a whole curve of another kind, from node to node.
@@ -148,45 +149,48 @@ impl Network {
 
     /// Closes the curves whose ends nothing meets and that are said to be loops.
     pub(super) fn close_loops(&mut self) {
-        let degrees = self.degrees();
+        let mut degrees = self.degrees();
         for curve in 0..self.ends.len() {
             let [start, end] = self.ends[curve];
             // Only ends that nothing else meets: a curve that something joins is part of a net, whatever the file says.
             if self.closes[curve] && start != end && degrees[start] == 1 && degrees[end] == 1 {
                 self.links.push(Link { nodes: [end, start], curve, is_segment: true });
                 self.ends[curve] = [start, start];
+                // A copy of the curve finds itself closed.
+                [start, end].into_iter().for_each(|node| degrees[node] += 1);
             }
         }
     }
 
-    /// Drops what stands twice: segments between the same nodes, curves of other kinds with the same nodes and the same middle.
+    /// Drops what stands twice: segments between the same nodes, curves of other kinds with the same nodes and the same middle. A note
+    /// says which.
     pub(super) fn drop_copies(&mut self, file: &CurveFile, size: f64, notes: &mut Vec<String>) {
-        let mut seen = HashSet::new();
-        let mut middles: HashMap<[usize; 2], Vec<Point>> = HashMap::new();
-        let before = self.links.len();
+        let mut segments: HashMap<[usize; 2], usize> = HashMap::new();
+        let mut middles: HashMap<[usize; 2], Vec<(Point, usize)>> = HashMap::new();
+        let mut copies = Copies::new(self.links.iter().map(|link| link.curve), file);
         self.links.retain(|link| {
             let [a, b] = link.nodes;
             let nodes = [a.min(b), a.max(b)];
-            if link.is_segment {
-                return seen.insert(nodes);
-            }
-            let points = file.curves[link.curve].shape.sampled();
-            // The same ends and the same middle: two curves of a lens share their ends, but not this.
-            let middle = points[points.len() / 2];
-            let known = middles.entry(nodes).or_default();
-            let is_new = known.iter().all(|other| other.distance(middle) > 1e-9 * size);
-            known.push(middle);
-            is_new
-        });
-        let dropped = before - self.links.len();
-        if dropped > 0 {
-            let what = if dropped == 1 {
-                "1 segment or curve stands".into()
+            let first = if link.is_segment {
+                let next = segments.len();
+                let first = *segments.entry(nodes).or_insert(link.curve);
+                (segments.len() == next).then_some(first)
             } else {
-                format!("{dropped} segments or curves stand")
+                let points = file.curves[link.curve].shape.sampled();
+                // The same ends and the same middle: two curves of a lens share their ends, but not this.
+                let middle = points[points.len() / 2];
+                let known = middles.entry(nodes).or_default();
+                let first = known.iter().find(|(other, _)| other.distance(middle) <= 1e-9 * size);
+                let first = first.map(|(_, curve)| *curve);
+                known.push((middle, link.curve));
+                first
             };
-            notes.push(format!("{what} twice in the file and count once"));
-        }
+            if let Some(first) = first {
+                copies.add(first, link.curve);
+            }
+            first.is_none()
+        });
+        notes.extend(copies.said());
     }
 }
 

@@ -15,7 +15,7 @@ use entity::{Entity, Plane};
 /// The curves SPLINE, LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE of the section ENTITIES, named by their layers.
 pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
     let (entities, unit) = entity::entities(text)?;
-    let mut file = CurveFile { kind: Kind::Dxf, curves: Vec::new(), notes: Vec::new() };
+    let mut file = CurveFile { kind: Kind::Dxf, curves: Vec::new(), unit: None, notes: Vec::new() };
     let mut passed_over: Vec<(String, usize)> = Vec::new();
     let mut points = 0;
     let mut at = 0;
@@ -55,8 +55,16 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
             file.curves.push(FileCurve { name, line: entity.line, shape, closes: false, joints: Vec::new() });
         }
     }
-    if let Some(unit) = unit {
-        file.notes.push(format!("lengths are in {unit}, as in the file"));
+    match unit {
+        Some(Ok(unit)) => {
+            file.unit = Some(unit);
+            file.notes.push(format!("lengths are in {}, as in the file", unit.plural()));
+        }
+        Some(Err(code)) => file.notes.push(format!(
+            "lengths are in the unit of number {} ($INSUNITS), which is none of those that are known; --unit says what they are",
+            limits::name(code)
+        )),
+        None => {}
     }
     file.notes.extend(said_of(&passed_over));
     if file.curves.is_empty() {

@@ -1,4 +1,5 @@
-use super::{Kind, Shape};
+use super::{CurveFileError, Kind, Shape};
+use crate::LengthUnit;
 
 /// A curve as a file has it.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,17 +24,31 @@ pub struct CurveFile {
     pub kind: Kind,
     /// Its curves, in the order of the file; at least one.
     pub curves: Vec<FileCurve>,
+    /// What its numbers are, where it says so.
+    pub unit: Option<LengthUnit>,
     /// Sentences a user should see: what was passed over, what was assumed, the unit of length.
     pub notes: Vec<String>,
 }
 
 impl CurveFile {
-    /// The curves of another file beside these.
-    #[must_use]
-    pub fn with(mut self, other: Self) -> Self {
+    /// The curves of another file beside these. No number is converted: files of which one states no unit are in that of the other.
+    ///
+    /// # Errors
+    /// [`CurveFileError::File`] for files in two units.
+    pub fn with(mut self, other: Self) -> Result<Self, CurveFileError> {
+        if let (Some(one), Some(two)) = (self.unit, other.unit)
+            && one != two
+        {
+            return Err(CurveFileError::File(format!(
+                "one file is in {} and another in {}: write them in one unit, for numbers are not converted",
+                one.plural(),
+                two.plural()
+            )));
+        }
+        self.unit = self.unit.or(other.unit);
         self.curves.extend(other.curves);
         self.notes.extend(other.notes);
-        self
+        Ok(self)
     }
 
     /// The same with each line of the file a curve by itself.

@@ -54,6 +54,7 @@ enum Advice {
     AsciiDxf,
     Step,
     Unpack,
+    Globe,
 }
 
 impl Advice {
@@ -72,6 +73,10 @@ impl Advice {
             Self::AsciiDxf => "save it as ASCII DXF, then `plateau fill rim.dxf -o surface.step`",
             Self::Step => "save it as STEP, then `plateau fill rim.step -o surface.step`",
             Self::Unpack => "unpack it first",
+            Self::Globe => {
+                "it holds degrees of longitude and latitude, as a rule, which are no lengths: project them to metres, as GIS programs do, and \
+                 export DXF or a table x,y,z, then `plateau fill rim.csv -o surface.step`"
+            }
         }
     }
 }
@@ -89,10 +94,14 @@ impl Kind {
                 "is empty: curves are read from OBJ, CSV, STEP and ASCII DXF files".into(),
             ));
         }
+        let head = head(content);
         if content.starts_with(b"ISO-10303-21") {
+            if head.contains("'IFC") || head.contains("=IFC") {
+                let what = "an IFC file, a model of a building".into();
+                return Err(CurveFileError::OtherKind { what, advice: Advice::Curves.sentence().into() });
+            }
             return Ok(Self::Step);
         }
-        let head = head(content);
         if is_dxf(&head) {
             return Ok(Self::Dxf);
         }
@@ -216,7 +225,9 @@ fn markup(head: &str) -> (&'static str, &'static str) {
         ("<svg", "a drawing (SVG)", Advice::Curves),
         ("<COLLADA", "a COLLADA file, a mesh", Advice::Mesh),
         ("<X3D", "an X3D file, a mesh", Advice::Mesh),
-        ("<kml", "a KML file", Advice::Curves),
+        ("<kml", "a KML file", Advice::Globe),
+        ("<gpx", "a GPX file", Advice::Globe),
+        ("<gml", "a GML file", Advice::Globe),
         ("<html", "a web page", Advice::Curves),
     ] {
         if head.contains(word) {
@@ -229,6 +240,8 @@ fn markup(head: &str) -> (&'static str, &'static str) {
 fn json(head: &str) -> (&'static str, &'static str) {
     if head.contains("plateau-result") {
         ("a result of plateau", "`plateau export` writes its surfaces, `plateau verify` computes it again")
+    } else if head.contains("\"FeatureCollection\"") || head.contains("\"coordinates\"") {
+        ("a GeoJSON file", Advice::Globe.sentence())
     } else if head.contains("\"asset\"") {
         ("a glTF file, a mesh", Advice::Mesh.sentence())
     } else {

@@ -17,7 +17,7 @@ use part21::{Entity, Part21, Value};
 pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
     let file = Part21::new(text)?;
     let mut notes = Vec::new();
-    let degrees = unit::said(&file, &mut notes)?;
+    let (unit, degrees) = unit::said(&file, &mut notes)?;
     let curves = Curves::new(&file, degrees);
     let mut found: Vec<FileCurve> = Vec::new();
     let mut points = 0;
@@ -35,7 +35,7 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
                 .into(),
         ));
     }
-    Ok(CurveFile { kind: Kind::Step, curves: found, notes })
+    Ok(CurveFile { kind: Kind::Step, curves: found, unit, notes })
 }
 
 /// Entities that say where a part of an assembly lies.

@@ -16,7 +16,8 @@ use row::{Row, Separator};
 /// The sides of a table, in the order of their first rows, points in the order of theirs. One separator (tab, semicolon, comma
 /// or blanks) divides the whole file; where it is no comma, decimals may have one. Columns are found by the heading, or stand as
 /// side, x, y, z. Lines that begin with # are passed over. A table without a column of sides is one loop, or one for each block
-/// between blank lines. A column called `ring` or `loop` names closed curves, which need not come back to their first point.
+/// between blank lines; so is one in which every row has a name of its own, as surveys have: these are names of points. A column called
+/// `ring` or `loop` names closed curves, which need not come back to their first point.
 pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
     let separator = Separator::of(text);
     let mut rows = row::rows(text, separator);
@@ -30,7 +31,8 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
         let second = rows.next();
         (Columns::named(&first, second.as_ref(), &mut notes)?, second)
     } else {
-        (Columns::by_position(&first, &mut notes)?, Some(first))
+        let is_counted = |place| row::are_counted(text, separator, place);
+        (Columns::by_position(&first, &is_counted, &mut notes)?, Some(first))
     };
     let mut sides = Sides::default();
     for row in rest.into_iter().chain(rows) {
@@ -43,6 +45,8 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
 struct Sides {
     curves: Vec<FileCurve>,
     places: HashMap<String, usize>,
+    /// The block in which each curve begins.
+    blocks: Vec<usize>,
     points: usize,
     /// The block of the last row.
     block: Option<usize>,
@@ -65,9 +69,9 @@ impl Sides {
         limits::count(&mut self.points, 1, MOST_POINTS, "points", line)?;
         let point = Point::from(coordinates);
         let place = match columns.side {
-            Some(column) => self.place_of(&row.cells[column], line)?,
+            Some(column) => self.place_of(&row.cells[column], row)?,
             None if self.block == Some(row.block) => self.curves.len() - 1,
-            None => self.begin(String::new(), line)?,
+            None => self.begin(String::new(), row)?,
         };
         self.block = Some(row.block);
         if let Shape::Polyline(points) = &mut self.curves[place].shape {
@@ -76,19 +80,21 @@ impl Sides {
         Ok(())
     }
 
-    fn place_of(&mut self, cell: &str, line: usize) -> Result<usize, CurveFileError> {
+    fn place_of(&mut self, cell: &str, row: &Row<'_>) -> Result<usize, CurveFileError> {
         let name = limits::name(cell);
         if let Some(place) = self.places.get(&name) {
             return Ok(*place);
         }
-        let place = self.begin(name.clone(), line)?;
+        let place = self.begin(name.clone(), row)?;
         self.places.insert(name, place);
         Ok(place)
     }
 
-    fn begin(&mut self, name: String, line: usize) -> Result<usize, CurveFileError> {
+    fn begin(&mut self, name: String, row: &Row<'_>) -> Result<usize, CurveFileError> {
+        let line = row.line;
         let mut counter = self.curves.len();
         limits::count(&mut counter, 1, MOST_CURVES, "sides", line)?;
+        self.blocks.push(row.block);
         self.curves.push(FileCurve {
             name,
             line,
@@ -135,6 +141,12 @@ impl Sides {
         if self.curves.is_empty() {
             return Err(CurveFileError::File("holds a heading and no points below it".into()));
         }
+        let names_points = self.join_points(columns)?;
+        if names_points {
+            notes.push(
+                "every row has a name of its own: they are names of points, which are one loop, closed from the last to the first".into(),
+            );
+        }
         let is_nameless = columns.side.is_none();
         for curve in &mut self.curves {
             let Shape::Polyline(points) = &curve.shape else { continue };
@@ -149,7 +161,7 @@ impl Sides {
                     format!("{side} has a single point; at least two are needed"),
                 ));
             }
-            curve.closes = is_nameless || columns.are_rings;
+            curve.closes = is_nameless || names_points || columns.are_rings;
         }
         if columns.are_rings {
             notes.push(
@@ -164,6 +176,45 @@ impl Sides {
                 format!("the table has no column of sides: its {count} blocks between blank lines are a curve each")
             });
         }
-        Ok(CurveFile { kind: Kind::Table, curves: self.curves, notes })
+        if let Some(unit) = columns.unit {
+            notes.push(format!("lengths are in {}, as the heading says", unit.plural()));
+        }
+        Ok(CurveFile { kind: Kind::Table, curves: self.curves, unit: columns.unit, notes })
+    }
+    /// Joins sides of one point each, three or more, to one curve a block: their names are those of the points. Whether they were such.
+    fn join_points(&mut self, columns: &Columns) -> Result<bool, CurveFileError> {
+        let is_point =
+            |curve: &FileCurve| matches!(&curve.shape, Shape::Polyline(points) if points.len() == 1);
+        if columns.side.is_none() || self.curves.len() < 3 || !self.curves.iter().all(is_point) {
+            return Ok(false);
+        }
+        let number = |curve: &FileCurve| curve.name.replacen(',', ".", 1).parse::<f64>().ok();
+        let is_measured = self.curves.iter().all(|curve| number(curve).is_some())
+            && self.curves.iter().filter_map(number).any(|x| x.fract() != 0.0);
+        if is_measured && !columns.is_named {
+            return Err(CurveFileError::at(
+                self.curves[0].line,
+                "four numbers a row: which of them are the coordinates? Write a heading above them, such as point,x,y,z or x,y,z,point",
+            ));
+        }
+        let mut joined: Vec<FileCurve> = Vec::new();
+        let mut last = None;
+        for (mut curve, block) in self.curves.drain(..).zip(self.blocks.drain(..)) {
+            match joined.last_mut() {
+                Some(loop_) if last == Some(block) => {
+                    if let (Shape::Polyline(points), Shape::Polyline(more)) = (&mut loop_.shape, curve.shape)
+                    {
+                        points.extend(more);
+                    }
+                }
+                _ => {
+                    curve.name.clear();
+                    joined.push(curve);
+                }
+            }
+            last = Some(block);
+        }
+        self.curves = joined;
+        Ok(true)
     }
 }

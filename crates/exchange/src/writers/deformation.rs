@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use surfaces::Mesh;
 
 use super::format::{Motion, write_glb};
+use super::subject::Subject;
 
 /// Seconds from the right helicoid to the catenoid; and back again.
 const SECONDS: f64 = 4.0;
@@ -39,7 +40,8 @@ pub fn write_deformation(
             .map(|(step, k)| (SECONDS * step as f64 / last, vec![1.0 - weights[k][0], weights[k][1]]))
             .collect(),
     };
-    write_glb(name, helicoid, None, Some(&motion), out)
+    let subject = Subject { name, mesh: helicoid, colours: None, unit: None };
+    write_glb(&subject, Some(&motion), out)
 }
 
 #[cfg(test)]

@@ -88,8 +88,8 @@ impl<'a> SurfaceFile<'a> {
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         match &self.content {
             Content::Mesh(format) => format.write(&self.subject, out),
-            Content::Step(file) => file.write(self.subject.name, self.subject.unit, out),
-            Content::Shell(file) => file.write(self.subject.name, self.subject.unit, out),
+            Content::Step(file) => file.write(self.subject.name, self.subject.unit.unwrap_or_default(), out),
+            Content::Shell(file) => file.write(self.subject.name, self.subject.unit.unwrap_or_default(), out),
         }
     }
 }

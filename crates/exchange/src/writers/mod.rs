@@ -19,5 +19,5 @@ pub use extent::diagonal;
 pub use file::{SurfaceFile, Unfit};
 pub use format::Format;
 pub use spline::{Accuracy, SplineError, spline};
-pub use step_form::{DEFAULT_TOLERANCE, LengthUnit, StepForm};
+pub use step_form::{DEFAULT_TOLERANCE, StepForm};
 pub use subject::{Colours, Subject, SurfaceForm};

@@ -9,9 +9,10 @@ use std::io::{self, Write};
 
 use surfaces::{Complex, Knots, Orientation, Point};
 
+use crate::LengthUnit;
+
 use super::spline::LARGEST_DEGREE;
 use super::step::{self, Entities, SMALLEST_TOLERANCE, StepError, references};
-use super::step_form::LengthUnit;
 
 /// A complex as it goes into the file.
 #[derive(Debug, Clone, PartialEq)]

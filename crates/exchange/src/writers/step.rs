@@ -8,7 +8,7 @@ use surfaces::{Knots, Point, SplineSurface};
 use thiserror::Error;
 
 use super::spline::{Accuracy, LARGEST_DEGREE, SplineError, spline};
-use super::step_form::LengthUnit;
+use crate::LengthUnit;
 use plateau::{Family, Surface};
 
 /// Share of the size below which points of the border are one point and curves of it one curve.
@@ -262,15 +262,20 @@ fn context(size: f64, unit: LengthUnit, entities: &mut Entities<'_>) -> io::Resu
 fn length_unit(unit: LengthUnit, entities: &mut Entities<'_>) -> io::Result<usize> {
     let mut metric =
         |prefix: &str| entities.add(format_args!("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT({prefix},.METRE.))"));
-    let (name, millimetres) = match unit {
+    let name = match unit {
+        LengthUnit::Micrometre => return metric(".MICRO."),
         LengthUnit::Millimetre => return metric(".MILLI."),
         LengthUnit::Centimetre => return metric(".CENTI."),
+        LengthUnit::Decimetre => return metric(".DECI."),
         LengthUnit::Metre => return metric("$"),
-        LengthUnit::Inch => ("INCH", 25.4),
-        LengthUnit::Foot => ("FOOT", 304.8),
+        LengthUnit::Kilometre => return metric(".KILO."),
+        LengthUnit::Inch => "INCH",
+        LengthUnit::Foot => "FOOT",
+        LengthUnit::Yard => "YARD",
+        LengthUnit::SurveyFoot => "US SURVEY FOOT",
     };
     let one = metric(".MILLI.")?;
-    let measure = real(millimetres);
+    let measure = real(unit.millimetres());
     let measure = entities.add(format_args!("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE({measure}),#{one})"))?;
     let exponents = entities.add(format_args!("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)"))?;
     entities.add(format_args!(

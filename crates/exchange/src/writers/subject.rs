@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use surfaces::Mesh;
 
-use super::step_form::LengthUnit;
+use crate::LengthUnit;
 
 /// What a file is written of.
 #[derive(Debug, Clone, Copy)]
@@ -15,8 +15,8 @@ pub struct Subject<'a> {
     pub mesh: &'a Mesh,
     /// Colours of its vertices, for the formats that have colours; none for a plain surface.
     pub colours: Option<Colours<'a>>,
-    /// What its numbers are, for the format that says so.
-    pub unit: LengthUnit,
+    /// What its numbers are, where that is known: STEP says so, and millimetres where it is not; glTF, which is in metres, is scaled by it.
+    pub unit: Option<LengthUnit>,
 }
 
 /// Colours of the vertices of a mesh by their mean curvature.

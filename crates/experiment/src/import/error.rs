@@ -55,7 +55,8 @@ pub enum ImportError {
 #[derive(Debug, Error)]
 #[error(
     "{first} and {second} should meet in a corner, but {first} ends at {end:?} and {second} begins at {begin:?}, {gap:.3e} apart: \
-     ends within {tolerance:.1e} are welded, `--weld {wide}` joins these{}",
+     ends within {tolerance:.1e} are welded{}{}",
+    wide.as_ref().map_or(String::new(), |wide| format!(", `--weld {wide}` joins these")),
     if *named { "; sides of these names run as in an experiment, under other names they are chained by their ends, in any order \
      and sense" } else { "" }
 )]
@@ -73,8 +74,8 @@ pub struct CornerGap {
     pub gap: f64,
     /// The largest that is welded.
     pub tolerance: f64,
-    /// One that welds them.
-    pub wide: String,
+    /// One that welds them, unless it is more than may be given.
+    pub wide: Option<String>,
     /// Whether they have the names of sides of experiments, which say how they run.
     pub named: bool,
 }

@@ -1,6 +1,6 @@
 //! From curves of files to the surface over them.
 
-use exchange::{Assembly, CurveFile, CurveFileError, Frame, Shape, Side};
+use exchange::{Assembly, CurveFile, CurveFileError, Frame, LengthUnit, Shape, Side};
 use plateau::{Fill, Film, MethodError, Progress};
 use show::RimSource;
 
@@ -15,6 +15,7 @@ pub struct Filling {
     /// What the files say of themselves.
     told: Vec<String>,
     notes: Vec<String>,
+    unit: Option<LengthUnit>,
 }
 
 impl Filling {
@@ -26,18 +27,39 @@ impl Filling {
     /// [`ImportError`]; no file is named in it.
     pub fn new(files: Vec<CurveFile>, options: &ImportOptions) -> Result<Self, ImportError> {
         options.check()?;
-        let file = files.into_iter().reduce(CurveFile::with);
-        let file = file.ok_or_else(|| CurveFileError::File("there is no file of curves".into()))?;
+        let mut files = files.into_iter();
+        let none = || CurveFileError::File("there is no file of curves".into());
+        let file = files.next().ok_or_else(none)?;
+        let file = files.try_fold(file, CurveFile::with)?;
         let (file, note) = control::taken(file, options)?;
         let assembly = Assembly::new(&file, &options.assembly)?;
         let frame = assembly.frame(options.rim_tolerance(&assembly))?;
         let notes = note.map(str::to_owned).into_iter().chain(assembly.notes.iter().cloned()).collect();
-        Ok(Self { assembly, frame, options: options.clone(), told: file.notes, notes })
+        Ok(Self { assembly, frame, options: options.clone(), told: file.notes, notes, unit: file.unit })
     }
 
     /// Sentences a user should see on how the curves became one boundary; what the files say of themselves is not among them.
     pub fn notes(&self) -> &[String] {
         &self.notes
+    }
+
+    /// What the numbers of the files are, where one says so.
+    pub fn unit(&self) -> Option<LengthUnit> {
+        self.unit
+    }
+
+    /// The same with numbers of this unit, whatever the files say.
+    #[must_use]
+    pub fn with_unit(self, unit: LengthUnit) -> Self {
+        Self { unit: Some(unit), ..self }
+    }
+
+    pub(super) fn assembly(&self) -> &Assembly {
+        &self.assembly
+    }
+
+    pub(super) fn options(&self) -> &ImportOptions {
+        &self.options
     }
 
     /// The surface over the boundary.
@@ -69,6 +91,7 @@ impl Filling {
     /// [`ImportError::Plan`].
     pub fn experiment(&self, title: &str, fill: &Fill) -> Result<String, ImportError> {
         let notes: Vec<String> = self.told.iter().chain(self.notes()).cloned().collect();
-        checked(printed::assembly(title, &self.assembly, &self.options, fill, &notes))
+        let text = printed::assembly(title, &self.assembly, &self.options, fill, &notes);
+        checked(text + &printed::output(self.unit))
     }
 }

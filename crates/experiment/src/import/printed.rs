@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use exchange::{Assembly, AssemblyOptions, Form, Shape, Side, Walk};
+use exchange::{Assembly, AssemblyOptions, Form, LengthUnit, Shape, Side, Walk};
 use plateau::Fill;
 use surfaces::{EllipseArc, Point};
 
@@ -72,6 +72,14 @@ fn method(fill: &Fill) -> String {
         let _ = writeln!(text, "bound = true");
     }
     text
+}
+
+/// What the numbers are, for STEP files; nothing where they are taken for that anyway.
+pub(super) fn output(unit: Option<LengthUnit>) -> String {
+    match unit.filter(|unit| *unit != LengthUnit::default()) {
+        Some(unit) => format!("\n[output]\nstep-unit = {}\n", quoted(unit.name())),
+        None => String::new(),
+    }
 }
 
 fn names(assembly: &Assembly, walks: &[Walk]) -> String {

@@ -11,6 +11,9 @@ use super::{CornerGap, ImportError, ImportOptions, printed};
 /// Most points of a side that are taken as control points without a word.
 pub(super) const MANY: usize = 13;
 
+/// The largest tolerance of welding, as a share of the size.
+const MOST_WELDED: f64 = 0.25;
+
 /// Names of the sides, in the order in which they run around the boundary; whether the experiment has them in that sense.
 const TENSOR: [(&str, bool); 4] = [("u0", true), ("v1", true), ("u1", false), ("v0", false)];
 const TRIANGLE: [(&str, bool); 3] = [("ab", true), ("bc", true), ("ca", true)];
@@ -106,7 +109,7 @@ impl Sides {
     fn welded(mut curves: Vec<Curve>, options: &ImportOptions) -> Result<Self, ImportError> {
         let size = exchange::diagonal(curves.iter().flat_map(|curve| &curve.points).map(|&p| p.into()));
         let tolerance = options.assembly.weld.unwrap_or(AssemblyOptions::WELD * size);
-        if !(tolerance >= 0.0 && (tolerance <= 0.25 * size || size == 0.0)) {
+        if !(tolerance >= 0.0 && (tolerance <= MOST_WELDED * size || size == 0.0)) {
             let why = format!("--weld {tolerance}: it lies between 0 and a quarter of the size, {size:.3e}");
             return Err(ImportError::Option(why));
         }
@@ -118,7 +121,8 @@ impl Sides {
             if gap > tolerance {
                 let named = curves.iter().all(|curve| curve.label == curve.name);
                 let [first, second] = [k, next].map(|k| curves[k].label.clone());
-                let wide = format!("{:.1e}", 1.1 * gap);
+                let wide = Some(1.1 * gap).filter(|wide| *wide <= 0.95 * MOST_WELDED * size);
+                let wide = wide.map(|wide| format!("{wide:.1e}"));
                 let (end, begin) = (end.into(), begin.into());
                 let gap = CornerGap { first, second, end, begin, gap, tolerance, wide, named };
                 return Err(ImportError::Corner(Box::new(gap)));

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use exchange::{Format, LengthUnit};
+use exchange::{Format, LengthUnit, SurfaceForm};
 use experiment::{Filling, Options, Plan};
-use plateau::{Fill, Film};
+use plateau::{Fill, Film, Notation};
 use record::{Destination, ExportError, ResultFile};
 
 use crate::failure::Failure;
@@ -67,16 +67,19 @@ impl Output {
     }
 
     /// Writes the file and says so, or why not; whether it is written.
-    pub(super) fn written(&self, filled: &Filled<'_>, unit: LengthUnit, name: &str) -> Result<bool, Failure> {
+    pub(super) fn written(&self, filled: &Filled<'_>, name: &str) -> Result<bool, Failure> {
         let Self { wanted, to } = self;
-        let text = |text: String| record::write_text(&text, to).map(|()| None).map_err(ExportError::from);
+        let text =
+            |text: String| record::write_text(&text, to).map(|()| Vec::new()).map_err(ExportError::from);
         let experiment = || filled.filling.experiment(filled.title, filled.fill);
         let experiment = || experiment().map_err(|error| Failure::of_input(name, error));
         let written = match wanted {
             Wanted::Surface(format) => {
                 let surface = (&filled.film.complex, &filled.film.mesh.mesh);
+                let unit = filled.filling.unit();
                 let form = record::export_complex(*format, filled.title, surface, unit, to);
-                form.map(|form| form.map(|form| form.description + &said(*format, unit)))
+                let told = |form: Option<SurfaceForm>| form.map(|form| form.description).into_iter();
+                form.map(|form| told(form).chain(said(*format, unit)).collect::<Vec<_>>())
             }
             Wanted::Experiment => text(experiment()?),
             Wanted::Result | Wanted::Page => {
@@ -84,8 +87,8 @@ impl Output {
             }
         };
         match written {
-            Ok(Some(form)) => say(&format!("{}: {form}", to.path().display())),
-            Ok(None) => say(&to.path().display().to_string()),
+            Ok(told) if told.is_empty() => say(&to.path().display().to_string()),
+            Ok(told) => say(&format!("{}: {}", to.path().display(), told.join("; "))),
             Err(error @ (ExportError::Refused { .. } | ExportError::Failed(_))) => {
                 say(&format!("error: {error}"));
                 return Ok(false);
@@ -96,15 +99,20 @@ impl Output {
 }
 
 /// What a program that reads the file takes its numbers for, where that is not left open.
-fn said(format: Format, unit: LengthUnit) -> String {
-    match unit {
-        _ if format != Format::Step => String::new(),
-        LengthUnit::Millimetre => {
-            "; CAD programs take its numbers for millimetres, --unit says what they are".into()
+fn said(format: Format, unit: Option<LengthUnit>) -> Option<String> {
+    match (format, unit) {
+        (Format::Step, Some(unit)) => Some(format!("its numbers are {}", unit.plural())),
+        (Format::Step, None) => {
+            Some("CAD programs take its numbers for millimetres, --unit says what they are".into())
         }
-        LengthUnit::Centimetre | LengthUnit::Metre | LengthUnit::Inch | LengthUnit::Foot => {
-            format!("; its numbers are {}", unit.plural())
-        }
+        (Format::Glb, Some(LengthUnit::Metre)) => Some("in metres, as glTF is".into()),
+        (Format::Glb, Some(unit)) => Some(format!(
+            "in metres, as glTF is: 1 {} became {}",
+            unit.name(),
+            Notation::Short(12).of(unit.metres())
+        )),
+        (Format::Glb, None) => Some("viewers take its numbers for metres, --unit says what they are".into()),
+        (Format::Obj | Format::Ply | Format::Stl | Format::Vtu, _) => None,
     }
 }
 

@@ -3,6 +3,7 @@
 use surfaces::Point;
 
 use super::{LARGEST_COORDINATE, MOST_RECORDS};
+use crate::LengthUnit;
 use crate::curves::{CurveFileError, limits, text};
 
 /// A value with its code and line.
@@ -21,8 +22,11 @@ pub(super) struct Plane {
     normal: Point,
 }
 
+/// What `$INSUNITS` says: a unit, or the number of one that is not known.
+type StatedUnit<'a> = Option<Result<LengthUnit, &'a str>>;
+
 /// The entities of the section ENTITIES, and the unit of the drawing.
-pub(super) fn entities(text: &str) -> Result<(Vec<Entity<'_>>, Option<&'static str>), CurveFileError> {
+pub(super) fn entities(text: &str) -> Result<(Vec<Entity<'_>>, StatedUnit<'_>), CurveFileError> {
     let mut entities: Vec<Entity<'_>> = Vec::new();
     let (mut section, mut variable, mut unit) = ("", "", None);
     let (mut count, mut last_kind) = (0, "");
@@ -78,18 +82,22 @@ fn pairs(text: &str) -> impl Iterator<Item = Result<Pair<'_>, CurveFileError>> {
     })
 }
 
-fn unit_of(value: &str) -> Option<&'static str> {
-    match value {
-        "1" => Some("inches"),
-        "2" => Some("feet"),
-        "4" => Some("millimetres"),
-        "5" => Some("centimetres"),
-        "6" => Some("metres"),
-        "7" => Some("kilometres"),
-        "13" => Some("micrometres"),
-        "14" => Some("decimetres"),
-        _others => None,
-    }
+fn unit_of(value: &str) -> StatedUnit<'_> {
+    Some(Ok(match value {
+        // Without unit.
+        "0" | "" => return None,
+        "1" => LengthUnit::Inch,
+        "2" => LengthUnit::Foot,
+        "4" => LengthUnit::Millimetre,
+        "5" => LengthUnit::Centimetre,
+        "6" => LengthUnit::Metre,
+        "7" => LengthUnit::Kilometre,
+        "10" => LengthUnit::Yard,
+        "13" => LengthUnit::Micrometre,
+        "14" => LengthUnit::Decimetre,
+        "21" => LengthUnit::SurveyFoot,
+        other => return Some(Err(other)),
+    }))
 }
 
 impl<'a> Entity<'a> {

@@ -1,11 +1,15 @@
 //! Units: of length for the user to see, of angles because parameters of circles are angles.
 
 use super::part21::{Part21, Value};
+use crate::LengthUnit;
 use crate::curves::CurveFileError;
 
-/// Says the unit of length; gives the angle unit in radians.
-pub(super) fn said(file: &Part21<'_>, notes: &mut Vec<String>) -> Result<f64, CurveFileError> {
-    let mut lengths: Vec<String> = Vec::new();
+/// Says the unit of length and gives it, where it is known; gives the angle unit in radians.
+pub(super) fn said(
+    file: &Part21<'_>,
+    notes: &mut Vec<String>,
+) -> Result<(Option<LengthUnit>, f64), CurveFileError> {
+    let mut lengths: Vec<(Option<LengthUnit>, String)> = Vec::new();
     let mut angle = 1.0;
     let mut used = Vec::new();
     // Only units that a context assigns count: degrees are made of radians, which stand in the file, too.
@@ -35,16 +39,21 @@ pub(super) fn said(file: &Part21<'_>, notes: &mut Vec<String>) -> Result<f64, Cu
             entities.iter().find(|entity| entity.name == name).map(|entity| entity.values.as_slice())
         };
         if has("LENGTH_UNIT") {
-            let name = match (values("SI_UNIT"), values("CONVERSION_BASED_UNIT")) {
-                (Some([Value::Word(prefix), ..]), _) => format!("{}metres", prefix.to_lowercase()),
-                (Some(_), _) => "metres".into(),
-                (None, Some([Value::Text(name), ..])) => {
-                    format!("units named {}", crate::curves::limits::name(name))
+            let (unit, name) = match (values("SI_UNIT"), values("CONVERSION_BASED_UNIT")) {
+                (Some([Value::Word(prefix), ..]), _) => {
+                    let name = format!("{}metres", prefix.to_lowercase());
+                    (LengthUnit::of_word(&name), name)
+                }
+                (Some(_), _) => (Some(LengthUnit::Metre), "metres".into()),
+                (None, Some([Value::Text(name), Value::Reference(measure), ..])) => {
+                    let unit = millimetres(file, *measure)?.and_then(LengthUnit::of_millimetres);
+                    (unit, format!("units named {}", crate::curves::limits::name(name)))
                 }
                 (None, _) => continue,
             };
-            if !lengths.contains(&name) {
-                lengths.push(name);
+            let name = unit.map_or(name, |unit| unit.plural().to_owned());
+            if !lengths.iter().any(|(_, known)| *known == name) {
+                lengths.push((unit, name));
             }
         } else if has("PLANE_ANGLE_UNIT")
             && let Some([_, Value::Reference(measure), ..]) = values("CONVERSION_BASED_UNIT")
@@ -53,16 +62,42 @@ pub(super) fn said(file: &Part21<'_>, notes: &mut Vec<String>) -> Result<f64, Cu
         }
     }
     match lengths.as_slice() {
-        [] => {}
-        [one] => notes.push(format!("lengths are in {one}, as in the file")),
+        [] => Ok((None, angle)),
+        [(unit, name)] => {
+            notes.push(format!("lengths are in {name}, as in the file"));
+            Ok((*unit, angle))
+        }
         several => {
-            return Err(CurveFileError::File(format!(
+            let names: Vec<&str> = several.iter().map(|(_, name)| name.as_str()).collect();
+            Err(CurveFileError::File(format!(
                 "measures lengths in several units ({}): export it in one",
-                several.join(", ")
-            )));
+                names.join(", ")
+            )))
         }
     }
-    Ok(angle)
+}
+
+/// A measure of length in millimetres, where the unit it is told in is one of the metric system.
+fn millimetres(file: &Part21<'_>, id: u64) -> Result<Option<f64>, CurveFileError> {
+    let Some(count) = number(file, id)? else { return Ok(None) };
+    let entities = file.get(id)?;
+    let unit = entities.iter().flat_map(|entity| &entity.values).find_map(|value| match value {
+        Value::Reference(id) => Some(*id),
+        Value::Number(_)
+        | Value::Text(_)
+        | Value::Word(_)
+        | Value::Absent
+        | Value::List(_)
+        | Value::Typed(..) => None,
+    });
+    let Some(unit) = unit else { return Ok(None) };
+    let of = file.get(unit)?.into_iter().find(|entity| entity.name == "SI_UNIT").and_then(|entity| {
+        match entity.values.first() {
+            Some(Value::Word(prefix)) => LengthUnit::of_word(&format!("{}metres", prefix.to_lowercase())),
+            _none => Some(LengthUnit::Metre),
+        }
+    });
+    Ok(of.map(|unit| count * unit.millimetres()))
 }
 
 /// The number of a measure with a unit.

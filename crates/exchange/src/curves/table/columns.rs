@@ -1,6 +1,7 @@
 //! What the columns of a table mean.
 
 use super::row::{Row, Separator};
+use crate::LengthUnit;
 use crate::curves::{CurveFileError, limits};
 
 /// Where the side and the coordinates stand in a row.
@@ -8,6 +9,10 @@ pub(super) struct Columns {
     pub(super) side: Option<usize>,
     /// Whether the heading calls the sides rings: each is closed from its last point to its first.
     pub(super) are_rings: bool,
+    /// Whether a heading says what they are.
+    pub(super) is_named: bool,
+    /// What the numbers are, where the heading says so: `X [mm]`.
+    pub(super) unit: Option<LengthUnit>,
     /// x, y, z; without one it is 0.
     pub(super) coordinates: [Option<usize>; 3],
     /// Number of cells of a row.
@@ -43,9 +48,11 @@ impl Role {
             let word = word.trim_end_matches("coordinate").trim_end_matches("coord").trim_end_matches("pos");
             let word = word.trim_start_matches("coord").trim_start_matches("pos").trim_start_matches("point");
             match word {
-                "x" | "px" | "easting" | "xmm" => Some(0),
-                "y" | "py" | "northing" | "ymm" => Some(1),
-                "z" | "pz" | "elevation" | "height" | "zmm" => Some(2),
+                "x" | "px" | "easting" | "rechtswert" | "xmm" => Some(0),
+                "y" | "py" | "northing" | "hochwert" | "ymm" => Some(1),
+                "z" | "pz" | "elevation" | "elev" | "height" | "höhe" | "hoehe" | "altitude" | "zmm" => {
+                    Some(2)
+                }
                 _ => None,
             }
         });
@@ -66,9 +73,33 @@ impl Columns {
         first: Option<&Row<'_>>,
         notes: &mut Vec<String>,
     ) -> Result<Self, CurveFileError> {
-        let mut columns =
-            Self { side: None, are_rings: false, coordinates: [None; 3], count: heading.cells.len() };
-        let roles: Vec<Option<Role>> = heading.cells.iter().map(|cell| Role::of(cell)).collect();
+        let mut columns = Self {
+            side: None,
+            are_rings: false,
+            is_named: true,
+            unit: None,
+            coordinates: [None; 3],
+            count: heading.cells.len(),
+        };
+        let mut roles: Vec<Option<Role>> = heading.cells.iter().map(|cell| Role::of(cell)).collect();
+        if !roles.contains(&Some(Role::Coordinate(0))) && !roles.contains(&Some(Role::Coordinate(1))) {
+            if let Some(cell) = heading.cells.iter().find(|cell| is_of_the_globe(cell)) {
+                return Err(CurveFileError::at(
+                    heading.line,
+                    format!(
+                        "{:?}: degrees of longitude and latitude are no lengths: project the points to metres, as GIS programs do",
+                        limits::name(cell)
+                    ),
+                ));
+            }
+            let of_survey: Vec<Option<usize>> = heading.cells.iter().map(|cell| survey(cell)).collect();
+            if of_survey.contains(&Some(0)) && of_survey.contains(&Some(1)) {
+                let or = |(role, of_survey): (&Option<Role>, &Option<usize>)| {
+                    role.or(of_survey.map(Role::Coordinate))
+                };
+                roles = roles.iter().zip(&of_survey).map(or).collect();
+            }
+        }
         for (place, role) in roles.iter().enumerate() {
             match role {
                 Some(Role::Coordinate(k)) => {
@@ -93,7 +124,7 @@ impl Columns {
         if columns.coordinates == [None; 3]
             && let Some(first) = first
         {
-            let mut columns = Self::by_position(first, notes)?;
+            let mut columns = Self::by_position(first, &|_| false, notes)?;
             columns.count = columns.count.max(first.cells.len());
             let shown = limits::name(heading.text);
             notes.push(format!(
@@ -112,7 +143,30 @@ impl Columns {
             ));
         }
         columns.look_at(heading, first, &roles, notes);
+        columns.unit = columns.stated_unit(heading)?;
         Ok(columns)
+    }
+
+    /// The unit that all headings of coordinates name in brackets or behind an underscore, if they do.
+    fn stated_unit(&self, heading: &Row<'_>) -> Result<Option<LengthUnit>, CurveFileError> {
+        let of = |place: usize| {
+            let cell = heading.cells[place].trim_end_matches([']', ')', '}']);
+            let (_, word) = cell.rsplit_once(['[', '(', '/', '{', '_'])?;
+            LengthUnit::of_word(word)
+        };
+        let stated = || self.coordinates.iter().flatten().map(|place| of(*place));
+        let Some(unit) = stated().flatten().next() else { return Ok(None) };
+        match stated().flatten().find(|other| *other != unit) {
+            Some(other) => Err(CurveFileError::at(
+                heading.line,
+                format!(
+                    "the headings of the coordinates name two units, {} and {}: write the numbers in one, they are not converted",
+                    unit.plural(),
+                    other.plural()
+                ),
+            )),
+            None => Ok(Some(unit).filter(|_| stated().all(|other| other.is_some()))),
+        }
     }
 
     /// Finds the column of sides where the heading does not name it: the first one that holds words. A cell more or fewer than
@@ -144,12 +198,26 @@ impl Columns {
         }
     }
 
-    /// Without a heading: side, x, y, z; side, x, y; x, y, z; x, y; or the side behind its coordinates.
-    pub(super) fn by_position(row: &Row<'_>, notes: &mut Vec<String>) -> Result<Self, CurveFileError> {
+    /// Without a heading: side, x, y, z; side, x, y; x, y, z; x, y; or the side behind its coordinates, with the number of the point before
+    /// them or not. `is_counted` says whether a column counts the rows.
+    pub(super) fn by_position(
+        row: &Row<'_>,
+        is_counted: &dyn Fn(usize) -> bool,
+        notes: &mut Vec<String>,
+    ) -> Result<Self, CurveFileError> {
         let count = row.cells.len();
         let words: Vec<usize> = (0..count).filter(|place| !is_number(&row.cells[*place])).collect();
         let (side, coordinates) = match (count, words.as_slice()) {
+            (5, [4] | [0, 4]) => {
+                notes.push(
+                    "the first column is not used, and the next ones are taken for x, y, z; where north stands before east, write a \
+                     heading such as point,y,x,z,side"
+                        .into(),
+                );
+                (Some(4), [Some(1), Some(2), Some(3)])
+            }
             (4, [3]) => (Some(3), [Some(0), Some(1), Some(2)]),
+            (4, []) if is_counted(3) && !is_counted(0) => (Some(3), [Some(0), Some(1), Some(2)]),
             (4, _) => (Some(0), [Some(1), Some(2), Some(3)]),
             (3, [0]) => (Some(0), [Some(1), Some(2), None]),
             (3, [2]) => (Some(2), [Some(0), Some(1), None]),
@@ -169,7 +237,7 @@ impl Columns {
         if coordinates[2].is_none() {
             notes.push("the rows have two coordinates: z = 0".into());
         }
-        Ok(Self { side, are_rings: false, coordinates, count })
+        Ok(Self { side, are_rings: false, is_named: false, unit: None, coordinates, count })
     }
 
     /// Why a row is not one of this table.
@@ -194,6 +262,22 @@ impl Columns {
             ),
         )
     }
+}
+
+/// The coordinate that a heading of surveyors names: east, north, height.
+fn survey(cell: &str) -> Option<usize> {
+    let cell = cell.to_lowercase();
+    match cell.split(['[', '(', '/', '{', '_']).next().unwrap_or("").trim() {
+        "e" | "east" | "ost" => Some(0),
+        "n" | "north" | "nord" => Some(1),
+        "h" | "alt" => Some(2),
+        _ => None,
+    }
+}
+
+/// Whether a heading names degrees on the globe.
+fn is_of_the_globe(cell: &str) -> bool {
+    ["lat", "lon", "lng", "latitude", "longitude"].contains(&cell.trim().to_lowercase().as_str())
 }
 
 fn is_number(cell: &str) -> bool {

@@ -77,6 +77,17 @@ pub(super) fn rows(text: &str, separator: Separator) -> impl Iterator<Item = Row
     content(text).map(move |(line, block, text)| Row { line, block, text, cells: cells(text, separator) })
 }
 
+/// Whether the cells of a column count the rows: whole numbers, each one more than the one before.
+pub(super) fn are_counted(text: &str, separator: Separator, place: usize) -> bool {
+    let mut numbers = rows(text, separator)
+        .map(|row| row.cells.get(place).and_then(|cell| cell.parse::<i64>().ok()))
+        .peekable();
+    let Some(Some(first)) = numbers.peek().copied() else { return false };
+    numbers.enumerate().all(|(k, number)| {
+        number.is_some_and(|number| i64::try_from(k).is_ok_and(|k| number.checked_sub(first) == Some(k)))
+    })
+}
+
 /// Lines with something on them: number, block, text.
 fn content(text: &str) -> impl Iterator<Item = (usize, usize, &str)> {
     let (mut block, mut is_blank) = (0, true);

@@ -2,13 +2,14 @@
 //!
 //! glTF has y up and single precision. The vertices keep their own coordinates; a rotation of the node turns z up. Far from the
 //! origin, where single precision would lose the shape, the vertices are seen from the middle of their box, and a translation of
-//! the node puts them back.
+//! the node puts them back. glTF is in metres: where the unit of the numbers is known, the node scales them.
 
 use std::io::{self, Write};
 
 use serde_json::{Map, Value, json};
-use surfaces::{Mesh, Point};
+use surfaces::Point;
 
+use crate::LengthUnit;
 use crate::writers::extent::extent;
 use crate::writers::single;
 use crate::writers::subject::{Colours, Export, Subject};
@@ -24,7 +25,7 @@ pub(crate) struct Glb;
 
 impl Export for Glb {
     fn write(&self, subject: &Subject<'_>, out: &mut dyn Write) -> io::Result<()> {
-        write(subject.name, subject.mesh, subject.colours, None, out)
+        write(subject, None, out)
     }
 }
 
@@ -49,9 +50,7 @@ fn beyond_single() -> io::Error {
 /// `InvalidData` if a coordinate is beyond single precision or the file beyond 4 GiB, which the format cannot hold;
 /// else what `out` says.
 pub(crate) fn write(
-    name: &str,
-    mesh: &Mesh,
-    colours: Option<Colours<'_>>,
+    &Subject { name, mesh, colours, unit }: &Subject<'_>,
     motion: Option<&Motion<'_>>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -93,7 +92,7 @@ pub(crate) fn write(
         "asset": { "version": "2.0", "generator": concat!("plateau ", env!("CARGO_PKG_VERSION")) },
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
-        "nodes": [node(name, origin)],
+        "nodes": [node(name, origin, unit.map_or(1.0, LengthUnit::metres))],
         "meshes": [gltf_mesh],
         "materials": [{
             "doubleSided": true,
@@ -132,13 +131,16 @@ fn animation(name: &str, motion: &Motion<'_>, buffer: &mut Buffer<'_>) -> Value 
     })
 }
 
-/// The mesh with y up, moved to where it lies.
-fn node(name: &str, origin: Option<Point>) -> Value {
+/// The mesh with y up, moved to where it lies, its numbers of so many metres each.
+fn node(name: &str, origin: Option<Point>, metres: f64) -> Value {
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let mut node = json!({ "name": name, "mesh": 0, "rotation": [-half, 0.0, 0.0, half] });
     if let Some(p) = origin {
-        // The translation follows the rotation.
-        node["translation"] = json!([p.x, p.z, -p.y]);
+        // The translation follows the rotation, and both the scale.
+        node["translation"] = json!([p.x * metres, p.z * metres, -p.y * metres]);
+    }
+    if metres != 1.0 {
+        node["scale"] = json!([metres, metres, metres]);
     }
     node
 }
@@ -270,6 +272,11 @@ fn linear(component: u8) -> u8 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use surfaces::Mesh;
+
+    fn subject<'a>(name: &'a str, mesh: &'a Mesh, colours: Option<Colours<'a>>) -> Subject<'a> {
+        Subject { name, mesh, colours, unit: None }
+    }
 
     fn paraboloid() -> Mesh {
         let points: Vec<Point> = (0..9)
@@ -309,7 +316,7 @@ mod tests {
         let mut bytes = Vec::new();
         let of_vertices = vec![[1, 2, 3]; mesh.points.len()];
         let colours = Colours { of_vertices: &of_vertices, full: 1.0 };
-        write("paraboloid", &mesh, Some(colours), None, &mut bytes).unwrap();
+        write(&subject("paraboloid", &mesh, Some(colours)), None, &mut bytes).unwrap();
         let (root, binary) = parts(&bytes);
         let primitive = &root["meshes"][0]["primitives"][0];
         let positions = floats(&root, &binary, &primitive["attributes"]["POSITION"]);
@@ -330,7 +337,7 @@ mod tests {
         let offset = Point::new(500_000.0, 54_000_000.0, 128.0);
         far.points.iter_mut().for_each(|p| *p += offset);
         let mut bytes = Vec::new();
-        write("far", &far, None, None, &mut bytes).unwrap();
+        write(&subject("far", &far, None), None, &mut bytes).unwrap();
         let (root, binary) = parts(&bytes);
         let primitive = &root["meshes"][0]["primitives"][0];
         let positions = floats(&root, &binary, &primitive["attributes"]["POSITION"]);
@@ -343,10 +350,40 @@ mod tests {
     }
 
     #[test]
+    fn a_known_unit_puts_the_mesh_in_metres_wherever_it_lies() {
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        for offset in [0.0, 600_000.0] {
+            let mut mesh = paraboloid();
+            mesh.points.iter_mut().for_each(|p| *p += Point::new(offset, 0.0, 0.0));
+            for unit in std::iter::once(None).chain(LengthUnit::NAMED.map(|(_, unit)| Some(unit))) {
+                let mut bytes = Vec::new();
+                write(&Subject { unit, ..subject("m", &mesh, None) }, None, &mut bytes).unwrap();
+                let (root, binary) = parts(&bytes);
+                let node = &root["nodes"][0];
+                assert_eq!(node["rotation"], json!([-half, 0.0, 0.0, half]));
+                let triple = |key: &str, usual: f64| {
+                    let number = |k: usize| node[key].get(k).map_or(usual, |x| x.as_f64().unwrap());
+                    [0, 1, 2].map(number)
+                };
+                let (scale, shift) = (triple("scale", 1.0), triple("translation", 0.0));
+                let metres = unit.map_or(1.0, LengthUnit::metres);
+                let positions = &root["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+                for (p, q) in mesh.points.iter().zip(floats(&root, &binary, positions).chunks_exact(3)) {
+                    // Scaled, turned, then moved.
+                    let [x, y, z] = [0, 1, 2].map(|k| f64::from(q[k]) * scale[k]);
+                    let placed = Point::new(x + shift[0], z + shift[1], -y + shift[2]);
+                    let wanted = Point::new(p.x, p.z, -p.y) * metres;
+                    assert!(placed.distance(wanted) < 1e-6 * metres, "{unit:?}: {placed:?} {wanted:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn coordinates_beyond_single_precision_are_refused() {
         let mut mesh = paraboloid();
         mesh.points[3].z = 1e39;
-        let error = write("far", &mesh, None, None, &mut Vec::new()).unwrap_err();
+        let error = write(&subject("far", &mesh, None), None, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), io::ErrorKind::InvalidData);
     }
 }
