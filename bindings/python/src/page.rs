@@ -30,7 +30,7 @@ pub(crate) fn page(
         let scene = Scene::of(&results);
         let pictures = show::pictures(&results, scene.as_ref());
         let about = About {
-            file: &title,
+            source: show::Source::Experiment(&title),
             text: &text,
             seed: 0,
             comparisons: Vec::new(),

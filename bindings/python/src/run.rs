@@ -66,7 +66,7 @@ impl Run {
     /// The page that the command writes.
     fn page(&self, py: Python<'_>) -> PyResult<String> {
         let (plan, finished) = (self.plan.clone(), self.finished.clone());
-        watched(py, None, move |_| record::report(&plan, &finished))
+        watched(py, None, move |_| record::report(&plan, &finished, show::Source::Experiment(&plan.file)))
     }
 
     /// Writes the folder that the command writes, and its notes.

@@ -219,13 +219,13 @@ impl Delivery<'_> {
     }
 }
 
-/// The page of a finished experiment by itself, which was made of the curves of files of these names: no file lies beside it.
+/// The page of a finished experiment by itself, which was made of `source`: no file lies beside it.
 #[must_use]
-pub fn report(plan: &Plan, finished: &Finished, curves: &str) -> String {
+pub fn report(plan: &Plan, finished: &Finished, source: Source<'_>) -> String {
     let scene = Scene::of(&finished.results);
     let pictures = pictures(&finished.results, scene.as_ref());
     let manifest = Manifest::of(plan, finished);
-    let about = about(plan, finished, &manifest, (Source::Curves(curves), Vec::new()));
+    let about = about(plan, finished, &manifest, (source, Vec::new()));
     page(&finished.results, &about, scene.as_ref(), &pictures)
 }
 

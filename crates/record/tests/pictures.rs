@@ -117,8 +117,11 @@ fn an_unstable_least_area_shows_how_it_gives_way() {
 fn a_page_made_of_curves_names_their_files_and_nothing_that_is_not() {
     let text = include_str!("../../../fixtures/gallery/catenoid.toml");
     let plan = Plan::parse("catenoid.toml", text).unwrap();
-    let page =
-        record::report(&plan, &run(&plan, Options::default(), &()).unwrap(), "ring <1>.obj, ring 2.obj");
+    let page = record::report(
+        &plan,
+        &run(&plan, Options::default(), &()).unwrap(),
+        show::Source::Curves("ring <1>.obj, ring 2.obj"),
+    );
     assert!(
         page.contains("<p class=\"faint\">The surface over the curves of ring &lt;1&gt;.obj, ring 2.obj</p>")
     );

@@ -121,7 +121,7 @@ fn ran(filled: &Filled<'_>, text: &str, wanted: &Wanted) -> Result<String, Box<d
     let plan = Plan::parse(&format!("{}.toml", filled.title), text)?;
     let finished = experiment::run(&plan, Options::default(), &())?;
     match wanted {
-        Wanted::Page => Ok(record::report(&plan, &finished, filled.files)),
+        Wanted::Page => Ok(record::report(&plan, &finished, show::Source::Curves(filled.files))),
         Wanted::Surface(_) | Wanted::Experiment | Wanted::Result => {
             Ok(ResultFile::new(&plan, &finished).to_json()?)
         }
