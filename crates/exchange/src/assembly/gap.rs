@@ -11,6 +11,9 @@ use crate::{CurveFile, Kind};
 /// Most gaps that are named.
 const NAMED: usize = 4;
 
+/// Most free ends among which the nearest are looked for: it takes the square of them.
+const MOST_PAIRED: usize = 2000;
+
 /// Refuses curves of which an end meets nothing.
 pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(), AssemblyError> {
     let incidence = network.incidence();
@@ -26,18 +29,7 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
         let verb = if network.ends[curve][0] == node { "begins" } else { "ends" };
         format!("{name} {verb} at {}", shown(network.points[node]))
     };
-    // Each free end with the nearest other one; the smallest gaps first, each named once.
-    let limited = &free[..free.len().min(2000)];
-    let mut pairs: Vec<(f64, usize, usize)> = limited
-        .iter()
-        .filter_map(|&a| {
-            let others = limited.iter().filter(|b| **b != a);
-            let distance = |b: usize| network.points[a].distance(network.points[b]);
-            others.map(|&b| (distance(b), a.min(b), a.max(b))).min_by(|p, q| p.0.total_cmp(&q.0))
-        })
-        .collect();
-    pairs.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)).then(p.2.cmp(&q.2)));
-    pairs.dedup();
+    let pairs = pairs(network, &free[..free.len().min(MOST_PAIRED)]);
     let mut text = String::from("the curves do not close: ");
     if pairs.is_empty() {
         text += &format!("{}, where nothing meets it", whose(free[0]));
@@ -73,6 +65,19 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
         text += &format!(", or `--weld {}` joins {all}", rounded_up(widest));
     }
     Err(AssemblyError::Gap(text))
+}
+
+/// Each free end with the nearest other one and their distance; the smallest gaps first, each once.
+fn pairs(network: &Network, free: &[usize]) -> Vec<(f64, usize, usize)> {
+    let nearest = |&a: &usize| {
+        let others = free.iter().filter(|b| **b != a);
+        let distance = |b: usize| network.points[a].distance(network.points[b]);
+        others.map(|&b| (distance(b), a.min(b), a.max(b))).min_by(|p, q| p.0.total_cmp(&q.0))
+    };
+    let mut pairs: Vec<(f64, usize, usize)> = free.iter().filter_map(nearest).collect();
+    pairs.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)).then(p.2.cmp(&q.2)));
+    pairs.dedup();
+    pairs
 }
 
 /// A point in few digits.

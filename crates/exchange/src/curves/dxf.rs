@@ -6,6 +6,7 @@ use surfaces::{EllipseArc, Point, SplineCurve};
 
 use super::limits::{self, LARGEST_COORDINATE, MOST_CURVES, MOST_POINTS, MOST_RECORDS};
 use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape, trim};
+use crate::LengthUnit;
 
 mod entity;
 mod polyline;
@@ -55,17 +56,8 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
             file.curves.push(FileCurve { name, line: entity.line, shape, closes: false, joints: Vec::new() });
         }
     }
-    match unit {
-        Some(Ok(unit)) => {
-            file.unit = Some(unit);
-            file.notes.push(format!("lengths are in {}, as in the file", unit.plural()));
-        }
-        Some(Err(code)) => file.notes.push(format!(
-            "lengths are in the unit of number {} ($INSUNITS), which is none of those that are known; --unit says what they are",
-            limits::name(code)
-        )),
-        None => {}
-    }
+    file.unit = unit.and_then(Result::ok);
+    file.notes.extend(unit.map(said_of_unit));
     file.notes.extend(said_of(&passed_over));
     if file.curves.is_empty() {
         let found = file.notes.last().map_or_else(String::new, |note| format!(" ({note})"));
@@ -74,6 +66,17 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
         )));
     }
     Ok(file)
+}
+
+/// What is said of the unit of lengths, or of the number of one that is not known.
+fn said_of_unit(unit: Result<LengthUnit, &str>) -> String {
+    match unit {
+        Ok(unit) => format!("lengths are in {}, as in the file", unit.plural()),
+        Err(code) => format!(
+            "lengths are in the unit of number {} ($INSUNITS), which is none of those that are known; --unit says what they are",
+            limits::name(code)
+        ),
+    }
 }
 
 /// What is said of the kinds of entities that were passed over.

@@ -11,28 +11,7 @@ pub(super) fn said(
 ) -> Result<(Option<LengthUnit>, f64), CurveFileError> {
     let mut lengths: Vec<(Option<LengthUnit>, String)> = Vec::new();
     let mut angle = 1.0;
-    let mut used = Vec::new();
-    // Only units that a context assigns count: degrees are made of radians, which stand in the file, too.
-    for context in file.named(&["GLOBAL_UNIT_ASSIGNED_CONTEXT"]) {
-        for entity in file.get(context)? {
-            if let ("GLOBAL_UNIT_ASSIGNED_CONTEXT", Some(Value::List(units))) =
-                (entity.name.as_str(), entity.values.first())
-            {
-                used.extend(units.iter().filter_map(|unit| match unit {
-                    Value::Reference(id) => Some(*id),
-                    Value::Number(_)
-                    | Value::Text(_)
-                    | Value::Word(_)
-                    | Value::Absent
-                    | Value::List(_)
-                    | Value::Typed(..) => None,
-                }));
-            }
-        }
-    }
-    used.sort_unstable();
-    used.dedup();
-    for id in used {
+    for id in assigned(file)? {
         let entities = file.get(id)?;
         let has = |name: &str| entities.iter().any(|entity| entity.name == name);
         let values = |name: &str| {
@@ -75,6 +54,31 @@ pub(super) fn said(
             )))
         }
     }
+}
+
+/// The units that a context assigns: they alone count, for degrees are made of radians, which stand in the file, too.
+fn assigned(file: &Part21<'_>) -> Result<Vec<u64>, CurveFileError> {
+    let mut used = Vec::new();
+    for context in file.named(&["GLOBAL_UNIT_ASSIGNED_CONTEXT"]) {
+        for entity in file.get(context)? {
+            if let ("GLOBAL_UNIT_ASSIGNED_CONTEXT", Some(Value::List(units))) =
+                (entity.name.as_str(), entity.values.first())
+            {
+                used.extend(units.iter().filter_map(|unit| match unit {
+                    Value::Reference(id) => Some(*id),
+                    Value::Number(_)
+                    | Value::Text(_)
+                    | Value::Word(_)
+                    | Value::Absent
+                    | Value::List(_)
+                    | Value::Typed(..) => None,
+                }));
+            }
+        }
+    }
+    used.sort_unstable();
+    used.dedup();
+    Ok(used)
 }
 
 /// A measure of length in millimetres, where the unit it is told in is one of the metric system.

@@ -66,6 +66,27 @@ impl Role {
     }
 }
 
+/// What every cell of a heading names; words of surveyors count where no other says which columns x and y are.
+fn roles(heading: &Row<'_>) -> Result<Vec<Option<Role>>, CurveFileError> {
+    let roles: Vec<Option<Role>> = heading.cells.iter().map(|cell| Role::of(cell)).collect();
+    if roles.contains(&Some(Role::Coordinate(0))) || roles.contains(&Some(Role::Coordinate(1))) {
+        return Ok(roles);
+    }
+    if let Some(cell) = heading.cells.iter().find(|cell| is_of_the_globe(cell)) {
+        let name = limits::name(cell);
+        let message = format!(
+            "{name:?}: degrees of longitude and latitude are no lengths: project the points to metres, as GIS programs do"
+        );
+        return Err(CurveFileError::at(heading.line, message));
+    }
+    let of_survey: Vec<Option<usize>> = heading.cells.iter().map(|cell| survey(cell)).collect();
+    if !of_survey.contains(&Some(0)) || !of_survey.contains(&Some(1)) {
+        return Ok(roles);
+    }
+    let or = |(role, of_survey): (Option<Role>, Option<usize>)| role.or(of_survey.map(Role::Coordinate));
+    Ok(roles.into_iter().zip(of_survey).map(or).collect())
+}
+
 impl Columns {
     /// By a heading.
     pub(super) fn named(
@@ -81,25 +102,7 @@ impl Columns {
             coordinates: [None; 3],
             count: heading.cells.len(),
         };
-        let mut roles: Vec<Option<Role>> = heading.cells.iter().map(|cell| Role::of(cell)).collect();
-        if !roles.contains(&Some(Role::Coordinate(0))) && !roles.contains(&Some(Role::Coordinate(1))) {
-            if let Some(cell) = heading.cells.iter().find(|cell| is_of_the_globe(cell)) {
-                return Err(CurveFileError::at(
-                    heading.line,
-                    format!(
-                        "{:?}: degrees of longitude and latitude are no lengths: project the points to metres, as GIS programs do",
-                        limits::name(cell)
-                    ),
-                ));
-            }
-            let of_survey: Vec<Option<usize>> = heading.cells.iter().map(|cell| survey(cell)).collect();
-            if of_survey.contains(&Some(0)) && of_survey.contains(&Some(1)) {
-                let or = |(role, of_survey): (&Option<Role>, &Option<usize>)| {
-                    role.or(of_survey.map(Role::Coordinate))
-                };
-                roles = roles.iter().zip(&of_survey).map(or).collect();
-            }
-        }
+        let roles = roles(heading)?;
         for (place, role) in roles.iter().enumerate() {
             match role {
                 Some(Role::Coordinate(k)) => {
