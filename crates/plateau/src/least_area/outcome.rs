@@ -117,6 +117,8 @@ pub enum ValleyEnd {
     /// Control points lie further from the border than its size, or the parametrisation is less even than a tenth of the
     /// start's, and no surface near was found where neither is so.
     Far,
+    /// The surface is singular at a point of the rule: there its area has no gradient.
+    Singular,
 }
 
 impl fmt::Display for Start {
@@ -152,6 +154,7 @@ impl fmt::Display for ValleyEnd {
                 "moving points further along the surface would nearly fold it, or lead control points far from the border"
             }
             Self::Far => "control points lie far from the border, or the surface nearly folds",
+            Self::Singular => "where the surface is singular no step moves points along it",
         })
     }
 }

@@ -153,9 +153,12 @@ impl<S: Space> Descent<'_, '_, S> {
         }
         // Where that ends above the first surface, this one is moved along its normals alone.
         if reached.surface.area() > first.area() {
-            let start = Reached::new(first);
-            *reached = Reached { valley: reached.valley, beyond: start.surface.area() - unpulled, ..start };
+            *reached = Reached::new(first);
             self.normal_steps(reached)?;
+            (reached.valley, reached.beyond) = match self.fits(&reach, &reached.surface)? {
+                true => (ValleyEnd::Reach, reached.surface.area() - unpulled),
+                false => (ValleyEnd::Far, 0.0),
+            };
         }
         Ok(())
     }

@@ -194,8 +194,10 @@ impl<S: Space> Descent<'_, '_, S> {
         let cell = self.rules.fine_cell(here.points)?;
         let assembly = Assembly { topology, cell: cell.as_ref() };
         let mut end = ValleyEnd::Rounding;
-        let Some(slopes) = defined(assembly.gradient(&here.fine.tangents))? else { return Ok(Err(end)) };
-        let Some(model) = self.model(here)? else { return Ok(Err(end)) };
+        let Some(slopes) = defined(assembly.gradient(&here.fine.tangents))? else {
+            return Ok(Err(ValleyEnd::Singular));
+        };
+        let Some(model) = self.model(here)? else { return Ok(Err(ValleyEnd::Singular)) };
         let of_model = Assembly { topology, cell: model.cell.as_ref() };
         let gradient = all.gather(&slopes);
         self.iterations += 1;
