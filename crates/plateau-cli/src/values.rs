@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use exchange::Format;
 use experiment::Template;
-use plateau::Functional;
+use plateau::{Fill, Functional};
 
 /// Two numbers with a comma between them.
 pub(crate) fn pair(text: &str) -> Result<[f64; 2], String> {
@@ -26,9 +26,10 @@ pub(crate) fn seconds(text: &str) -> Result<f64, String> {
 /// A share of the area.
 pub(crate) fn accuracy(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(share) if (1e-12..=1e-2).contains(&share) => Ok(share),
+        Ok(share) if Fill::ACCURACIES.contains(&share) => Ok(share),
         Ok(share) => {
-            Err(format!("{share} is not from 1e-12 to 1e-2: 1e-8 is a hundred millionth of the area"))
+            let (least, most) = (Fill::ACCURACIES.start(), Fill::ACCURACIES.end());
+            Err(format!("{share} is not from {least:e} to {most:e}: 1e-8 is a hundred millionth of the area"))
         }
         Err(_) => Err("this is not a number; 1e-8 is a hundred millionth of the area".to_owned()),
     }

@@ -1,7 +1,7 @@
 //! `[[method]]`.
 
 use plateau::{
-    DegreeLimit, Energy, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchEnergy, SearchMode,
+    DegreeLimit, Energy, Fill, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchEnergy, SearchMode,
     ShapedFamily, SolverChoice, TOLERANCES, TriangleMask,
 };
 use serde_json::{Map, Value as Json, json};
@@ -265,7 +265,7 @@ pub(crate) static LAYERS: Key<Whole<usize>> =
         .over(&[TENSOR, LOOPS]);
 pub(crate) static ACCURACY: Key<Interval> = Key::new(
     "accuracy",
-    Interval::between(1e-12, 1e-2),
+    Interval::between(*Fill::ACCURACIES.start(), *Fill::ACCURACIES.end()),
     "for energy = \"area\": the degree rises, to 14 at most, until the area is estimated to lie less than this share above the least; corners that hold it up get a layer",
 )
 .such_as("1e-8")

@@ -1,6 +1,8 @@
 //! How a boundary is filled.
 
-use crate::{Cutting, MethodError, Way};
+use std::ops::RangeInclusive;
+
+use crate::{Cutting, MethodError, TOLERANCES, Way};
 
 /// What is minimised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,6 +72,9 @@ impl Fill {
 
     /// Share of the size of the boundary by which its rim may deviate from curves that cannot be met exactly.
     pub const RIM_TOLERANCE: f64 = 1e-6;
+
+    /// The shares of the least area that [`with_accuracy`](Self::with_accuracy) is for.
+    pub const ACCURACIES: RangeInclusive<f64> = TOLERANCES;
 
     /// Most layers of smaller patches around corners.
     pub const MOST_LAYERS: usize = 4;
