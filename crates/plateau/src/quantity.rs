@@ -142,7 +142,67 @@ quantities! {
         "the curvature of a curve at its samples: one number for all, or a list; signed for planar curves", |_, _| None;
 }
 
+/// Which results have a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bearer {
+    /// All surfaces.
+    Surface,
+    /// Surfaces that span a boundary.
+    Spanning,
+    /// Least areas of which a lower bound is to be proved.
+    Bounded,
+    /// Extremals of this energy.
+    Extremal(Functional),
+    /// Surfaces whose metric was corrected.
+    Corrected,
+    /// Surfaces that a single linear system was solved for.
+    Solved,
+    /// Tensor patches over four sides.
+    FourSides,
+    /// Surfaces with a closed form.
+    Closed,
+    /// Surfaces over loops and faces.
+    Film,
+    /// Least areas over two loops.
+    TwoLoops,
+    /// Least areas, and surfaces over loops and faces.
+    Even,
+    /// Patches of families with shape parameters.
+    Shaped,
+    /// Patches whose shape was searched.
+    Searched,
+    /// Curves.
+    Curve,
+}
+
 impl Quantity {
+    /// Which results have it.
+    #[must_use]
+    pub const fn bearer(self) -> Bearer {
+        match self {
+            Self::Dirichlet
+            | Self::Area
+            | Self::LaplacianDefect
+            | Self::Bending
+            | Self::ConformalityGap
+            | Self::MeanCurvatureMax
+            | Self::MeanCurvatureRms => Bearer::Surface,
+            Self::AreaEstimate => Bearer::Spanning,
+            Self::LowerBound => Bearer::Bounded,
+            Self::CoonsFunctional => Bearer::Extremal(Functional::Coons),
+            Self::MetricDirichlet => Bearer::Corrected,
+            Self::Residual => Bearer::Solved,
+            Self::BoundaryDeviation | Self::HarmonicBound => Bearer::FourSides,
+            Self::Deviation => Bearer::Closed,
+            Self::Kink | Self::RimDeviation => Bearer::Film,
+            Self::SpannedOneByOne => Bearer::TwoLoops,
+            Self::JacobianRatio => Bearer::Even,
+            Self::Shape(_) => Bearer::Shaped,
+            Self::SearchMinimum => Bearer::Searched,
+            Self::Curvature(_) => Bearer::Curve,
+        }
+    }
+
     /// The figure that is the value of an energy.
     #[must_use]
     pub const fn of_energy(energy: Energy) -> Self {

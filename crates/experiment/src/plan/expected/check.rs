@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use plateau::{Family, Functional, Quantity, counted};
+use plateau::{Bearer, Family, Quantity, counted};
 use serde_spanned::Spanned;
 
 use super::{Expected, Published, Wanted};
@@ -43,55 +43,49 @@ pub(in crate::plan) enum Subject {
 impl Subject {
     /// Why a result of this subject has no such figure, if it has none.
     fn lacks(self, quantity: Quantity) -> Option<&'static str> {
-        use Quantity as Q;
         let is_curve = matches!(self, Self::Curve { .. });
-        if is_curve && !matches!(quantity, Q::Curvature(_)) {
+        if is_curve && quantity.bearer() != Bearer::Curve {
             return Some("the result of a curve has only `curvature`: take the key out");
         }
-        match quantity {
-            Q::Curvature(_) => (!is_curve).then_some(
+        match quantity.bearer() {
+            Bearer::Curve => (!is_curve).then_some(
                 "`curvature` is for [curve] experiments; surfaces have `mean-curvature-max`: take the key out",
             ),
-            Q::Dirichlet
-            | Q::Area
-            | Q::LaplacianDefect
-            | Q::Bending
-            | Q::ConformalityGap
-            | Q::MeanCurvatureMax
-            | Q::MeanCurvatureRms => None,
-            Q::AreaEstimate => self.lacks_estimate(),
-            Q::LowerBound => self.lacks_bound(),
-            Q::CoonsFunctional => self.unless_made_by(
-                |interior| matches!(interior, Interior::Extremal(Functional::Coons)),
-                "only what minimises it has it, energy = \"coons\": take the key out",
+            Bearer::Surface => None,
+            Bearer::Spanning => self.lacks_estimate(),
+            Bearer::Bounded => self.lacks_bound(),
+            Bearer::Extremal(functional) => self.unless_made_by(
+                |interior| interior == Interior::Extremal(functional),
+                "only what minimises it has it, as its `energy`: take the key out",
             ),
-            Q::MetricDirichlet => self.unless_made_by(
+            Bearer::Corrected => self.unless_made_by(
                 |interior| matches!(interior, Interior::MetricCorrections(_)),
                 "only metric corrections have it: add `metric-steps`, or take the key out",
             ),
-            Q::Residual => self.unless_made_by(
+            Bearer::Solved => self.unless_made_by(
                 |interior| !matches!(interior, Interior::LeastArea),
                 "no single linear system is solved for this surface: take the key out",
             ),
-            Q::BoundaryDeviation | Q::HarmonicBound => match self {
+            Bearer::FourSides => match self {
                 Self::Patch { family, .. } if family != Family::Triangle => None,
                 Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => {
                     Some("only tensor patches over four sides have this figure: take the key out")
                 }
             },
-            Q::Deviation => self.lacks_deviation(),
-            Q::Kink | Q::RimDeviation => (!matches!(self, Self::Film { .. }))
+            Bearer::Closed => self.lacks_deviation(),
+            Bearer::Film => (!matches!(self, Self::Film { .. }))
                 .then_some("only surfaces over loops and faces have this figure: take the key out"),
-            Q::SpannedOneByOne => (!matches!(self, Self::Film { least: None | Some(true), loops: None | Some(2), .. }))
+            Bearer::TwoLoops => (!matches!(self, Self::Film { least: None | Some(true), loops: None | Some(2), .. }))
                 .then_some("only least areas over two loops have this figure: take the key out"),
-            Q::JacobianRatio => match self {
+            Bearer::Even => match self {
                 Self::Film { .. } => None,
                 Self::Patch { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => self.unless_made_by(
                     |interior| matches!(interior, Interior::LeastArea),
                     "only least areas and surfaces over loops and faces have this figure: take the key out",
                 ),
             },
-            Q::Shape(_) | Q::SearchMinimum => self.lacks_shape(quantity == Q::SearchMinimum),
+            Bearer::Shaped => self.lacks_shape(false),
+            Bearer::Searched => self.lacks_shape(true),
         }
     }
 
@@ -150,7 +144,7 @@ impl Subject {
     }
 
     /// `reason`, but for patches whose interior is made in a way that has the figure.
-    fn unless_made_by(self, has: fn(Interior) -> bool, reason: &'static str) -> Option<&'static str> {
+    fn unless_made_by(self, has: impl Fn(Interior) -> bool, reason: &'static str) -> Option<&'static str> {
         match self {
             Self::Patch { interior, .. } if interior.is_none_or(has) => None,
             Self::Patch { .. } | Self::Film { .. } | Self::Helicoid | Self::Net | Self::Curve { .. } => {
