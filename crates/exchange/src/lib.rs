@@ -21,7 +21,7 @@
 //! |---|---|
 //! | files of curves | [`read_curves()`], [`CurveFile`], [`FileCurve`], [`Shape`], [`Kind`], [`CurveFileError`] |
 //! | one boundary of many curves | [`Assembly`], [`AssemblyOptions`], [`Form`], [`Side`], [`Walk`], [`Weld`], [`AssemblyError`]; [`Frame`], [`FrameError`] |
-//! | files of surfaces | [`SurfaceFile`] in a [`Format`] of a [`Subject`], [`Colours`]; [`SurfaceForm`], [`Unfit`], [`DEFAULT_TOLERANCE`], [`StepForm`] |
+//! | files of surfaces | [`SurfaceFile`] in a [`Format`], which says what of [`Lengths`], of a [`Subject`], [`Colours`]; [`SurfaceForm`], [`Unfit`], [`DEFAULT_TOLERANCE`], [`StepForm`] |
 //! | what the numbers of files are | [`LengthUnit`] |
 //! | the B-spline of a surface | [`spline()`] with its [`Accuracy`]; [`SplineError`] |
 //! | others | [`write_curves()`], [`write_deformation()`], [`diagonal()`] |
@@ -37,6 +37,6 @@ pub use assembly::{Assembly, AssemblyError, AssemblyOptions, Form, Frame, FrameE
 pub use curves::{CurveFile, CurveFileError, FileCurve, Kind, Shape, read_curves};
 pub use unit::LengthUnit;
 pub use writers::{
-    Accuracy, Colours, DEFAULT_TOLERANCE, Format, SplineError, StepForm, Subject, SurfaceFile, SurfaceForm,
-    Unfit, diagonal, spline, write_curves, write_deformation,
+    Accuracy, Colours, DEFAULT_TOLERANCE, Format, Lengths, SplineError, StepForm, Subject, SurfaceFile,
+    SurfaceForm, Unfit, diagonal, spline, write_curves, write_deformation,
 };

@@ -17,7 +17,7 @@ pub use csv::write_curves;
 pub use deformation::write_deformation;
 pub use extent::diagonal;
 pub use file::{SurfaceFile, Unfit};
-pub use format::Format;
+pub use format::{Format, Lengths};
 pub use spline::{Accuracy, SplineError, spline};
 pub use step_form::{DEFAULT_TOLERANCE, StepForm};
 pub use subject::{Colours, Subject, SurfaceForm};

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use exchange::{Format, LengthUnit, SurfaceForm};
+use exchange::{Format, LengthUnit, Lengths, SurfaceForm};
 use experiment::{Filling, Options, Plan};
 use plateau::{Fill, Film, Notation};
 use record::{Destination, ExportError, ResultFile};
@@ -100,19 +100,21 @@ impl Output {
 
 /// What a program that reads the file takes its numbers for, where that is not left open.
 fn said(format: Format, unit: Option<LengthUnit>) -> Option<String> {
-    match (format, unit) {
-        (Format::Step, Some(unit)) => Some(format!("its numbers are {}", unit.plural())),
-        (Format::Step, None) => {
+    match (format.lengths(), unit) {
+        (Lengths::Named, Some(unit)) => Some(format!("its numbers are {}", unit.plural())),
+        (Lengths::Named, None) => {
             Some("CAD programs take its numbers for millimetres, --unit says what they are".into())
         }
-        (Format::Glb, Some(LengthUnit::Metre)) => Some("in metres, as glTF is".into()),
-        (Format::Glb, Some(unit)) => Some(format!(
+        (Lengths::Metres, Some(LengthUnit::Metre)) => Some("in metres, as glTF is".into()),
+        (Lengths::Metres, Some(unit)) => Some(format!(
             "in metres, as glTF is: 1 {} became {}",
             unit.name(),
             Notation::Short(12).of(unit.metres())
         )),
-        (Format::Glb, None) => Some("viewers take its numbers for metres, --unit says what they are".into()),
-        (Format::Obj | Format::Ply | Format::Stl | Format::Vtu, _) => None,
+        (Lengths::Metres, None) => {
+            Some("viewers take its numbers for metres, --unit says what they are".into())
+        }
+        (Lengths::Unsaid, _) => None,
     }
 }
 

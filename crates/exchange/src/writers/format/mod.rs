@@ -12,9 +12,20 @@ pub(super) use glb::{Motion, write as write_glb};
 
 use super::subject::Export;
 
-/// The enum of formats, the list of them and their rows, from one line each: variant, name, writer of meshes.
+/// What a file says of the unit of its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lengths {
+    /// Nothing.
+    Unsaid,
+    /// Their unit; where none is given, readers take them for millimetres.
+    Named,
+    /// They are metres, whatever they were before.
+    Metres,
+}
+
+/// The enum of formats, the list of them and their rows, from one line each: variant, name, meaning, what it says of lengths, writer of meshes.
 macro_rules! formats {
-    ($($variant:ident = $name:literal, $meaning:literal, $writer:expr;)*) => {
+    ($($variant:ident = $name:literal, $meaning:literal, $lengths:ident, $writer:expr;)*) => {
         /// A file format for surfaces.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Format {
@@ -33,6 +44,14 @@ macro_rules! formats {
                 }
             }
 
+            /// What a file of it says of the unit of its numbers.
+            #[must_use]
+            pub const fn lengths(self) -> Lengths {
+                match self {
+                    $(Self::$variant => Lengths::$lengths,)*
+                }
+            }
+
             /// The writer of its meshes; none if it holds the surface itself.
             pub(super) const fn of_meshes(self) -> Option<&'static dyn Export> {
                 match self {
@@ -44,12 +63,12 @@ macro_rules! formats {
 }
 
 formats! {
-    Obj = "obj", "Wavefront OBJ.", Some(&obj::Obj);
-    Ply = "ply", "Stanford PLY with colours.", Some(&ply::Ply);
-    Stl = "stl", "STL.", Some(&stl::Stl);
-    Glb = "glb", "Binary glTF.", Some(&glb::Glb);
-    Vtu = "vtu", "VTK unstructured grid, for ParaView.", Some(&vtu::Vtu);
-    Step = "step", "STEP AP214, the patch itself as one B-spline face.", None;
+    Obj = "obj", "Wavefront OBJ.", Unsaid, Some(&obj::Obj);
+    Ply = "ply", "Stanford PLY with colours.", Unsaid, Some(&ply::Ply);
+    Stl = "stl", "STL.", Unsaid, Some(&stl::Stl);
+    Glb = "glb", "Binary glTF.", Metres, Some(&glb::Glb);
+    Vtu = "vtu", "VTK unstructured grid, for ParaView.", Unsaid, Some(&vtu::Vtu);
+    Step = "step", "STEP AP214, the patch itself as one B-spline face.", Named, None;
 }
 
 impl Format {
