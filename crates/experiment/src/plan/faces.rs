@@ -49,12 +49,8 @@ pub(super) fn faces(
     match CurveGraph::new(named, graph_curves, &faces, None) {
         Ok(graph) => Some(graph),
         Err(error) => {
-            faults.inadmissible(
-                place(&error),
-                in_names(&error, &vertices.names, curves),
-                "here",
-                remedy(&error),
-            );
+            let (message, remedy) = in_names(&error, &vertices.names, curves);
+            faults.inadmissible(place(&error), message, "here", remedy);
             None
         }
     }
@@ -179,39 +175,50 @@ fn are_edges_shared(
     open_sides.is_empty()
 }
 
-/// The error in the names of the file.
-fn in_names(error: &CuttingError, vertices: &[String], curves: &[NamedCurve]) -> String {
+/// The error in the names of the file, and what to do about it.
+fn in_names(error: &CuttingError, vertices: &[String], curves: &[NamedCurve]) -> (String, &'static str) {
     let curve = |k: usize| format!("\"{}\"", shorten(&curves[k].name));
     let vertex = |k: usize| format!("\"{}\"", shorten(&vertices[k]));
+    const COMPARE: &str = "compare it with a template: `plateau new faces` prints one";
     match error {
-        CuttingError::Polygon { found, .. } => {
+        CuttingError::Polygon { found, .. } => (
             format!(
                 "a face has {found} corners that differ; it has three or more, each once, or two that two curves join"
-            )
-        }
-        CuttingError::TwoCurves { ends, curves: [first, second] } => format!(
-            "the curves {} and {} both join the vertices {} and {}: faces by vertices cannot say which is meant",
-            curve(*first),
-            curve(*second),
-            vertex(ends[0]),
-            vertex(ends[1])
+            ),
+            COMPARE,
         ),
-        CuttingError::Apart { curve: k, vertex: at, gap, weld } => format!(
-            "the curve {} ends {} from the vertex {}; what differs by no more than {weld:.0e} is made one",
-            curve(*k),
-            shown(*gap),
-            vertex(*at)
+        CuttingError::TwoCurves { ends, curves: [first, second] } => (
+            format!(
+                "the curves {} and {} both join the vertices {} and {}: faces by vertices cannot say which is meant",
+                curve(*first),
+                curve(*second),
+                vertex(ends[0]),
+                vertex(ends[1])
+            ),
+            "put a vertex on one of the two curves: two curves in its place, with a vertex between them",
+        ),
+        CuttingError::Apart { curve: k, vertex: at, gap, weld } => (
+            format!(
+                "the curve {} ends {} from the vertex {}; what differs by no more than {weld:.0e} is made one",
+                curve(*k),
+                shown(*gap),
+                vertex(*at)
+            ),
+            "all curves that end in a vertex end at one point: move this end, or the [[vertex]]",
         ),
         CuttingError::ClosedCurve { curve: k } => {
-            format!("the curve {} is closed, but a side of a face joins two vertices", curve(*k))
+            (format!("the curve {} is closed, but a side of a face joins two vertices", curve(*k)), COMPARE)
         }
-        CuttingError::UnusedCurve { curve: k, ends } => format!(
-            "the curve {} joins the vertices {} and {}, which are neighbours in no face",
-            curve(*k),
-            vertex(ends[0]),
-            vertex(ends[1])
+        CuttingError::UnusedCurve { curve: k, ends } => (
+            format!(
+                "the curve {} joins the vertices {} and {}, which are neighbours in no face",
+                curve(*k),
+                vertex(ends[0]),
+                vertex(ends[1])
+            ),
+            "add the [[face]] that it bounds, or take it out",
         ),
-        CuttingError::Curve { curve: k, error } => format!("the curve {}: {error}", curve(*k)),
+        CuttingError::Curve { curve: k, error } => (format!("the curve {}: {error}", curve(*k)), COMPARE),
         CuttingError::NoCurve
         | CuttingError::Gap { .. }
         | CuttingError::TooSmall { .. }
@@ -221,31 +228,6 @@ fn in_names(error: &CuttingError, vertices: &[String], curves: &[NamedCurve]) ->
         | CuttingError::Unsuitable { .. }
         | CuttingError::UnknownVertex { .. }
         | CuttingError::Complex(_)
-        | CuttingError::Side { .. } => format!("the faces make no surface: {error}"),
-    }
-}
-
-fn remedy(error: &CuttingError) -> &'static str {
-    match error {
-        CuttingError::TwoCurves { .. } => {
-            "put a vertex on one of the two curves: two curves in its place, with a vertex between them"
-        }
-        CuttingError::Apart { .. } => {
-            "all curves that end in a vertex end at one point: move this end, or the [[vertex]]"
-        }
-        CuttingError::UnusedCurve { .. } => "add the [[face]] that it bounds, or take it out",
-        CuttingError::NoCurve
-        | CuttingError::Gap { .. }
-        | CuttingError::TooSmall { .. }
-        | CuttingError::Crosses { .. }
-        | CuttingError::TooManyPieces { .. }
-        | CuttingError::Loops { .. }
-        | CuttingError::Unsuitable { .. }
-        | CuttingError::UnknownVertex { .. }
-        | CuttingError::Complex(_)
-        | CuttingError::Polygon { .. }
-        | CuttingError::Side { .. }
-        | CuttingError::ClosedCurve { .. }
-        | CuttingError::Curve { .. } => "compare it with a template: `plateau new faces` prints one",
+        | CuttingError::Side { .. } => (format!("the faces make no surface: {error}"), COMPARE),
     }
 }

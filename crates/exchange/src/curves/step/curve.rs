@@ -395,33 +395,13 @@ impl Fields<'_> {
     }
 
     fn references(&self, place: usize) -> Result<Vec<u64>, CurveFileError> {
-        let values = self.list(place)?.iter().map(|value| match value {
-            Value::Reference(id) => Ok(*id),
-            Value::Number(_)
-            | Value::Text(_)
-            | Value::Word(_)
-            | Value::Absent
-            | Value::List(_)
-            | Value::Typed(..) => {
-                Err(self.wrong(&format!("parameter {} should be a list of instances", place + 1)))
-            }
-        });
-        values.collect()
+        let wrong = || self.wrong(&format!("parameter {} should be a list of instances", place + 1));
+        self.list(place)?.iter().map(|value| value.reference().ok_or_else(wrong)).collect()
     }
 
     fn numbers(&self, place: usize) -> Result<Vec<f64>, CurveFileError> {
-        let values = self.list(place)?.iter().map(|value| match value {
-            Value::Number(x) => Ok(*x),
-            Value::Reference(_)
-            | Value::Text(_)
-            | Value::Word(_)
-            | Value::Absent
-            | Value::List(_)
-            | Value::Typed(..) => {
-                Err(self.wrong(&format!("parameter {} should be a list of numbers", place + 1)))
-            }
-        });
-        values.collect()
+        let wrong = || self.wrong(&format!("parameter {} should be a list of numbers", place + 1));
+        self.list(place)?.iter().map(|value| value.number().ok_or_else(wrong)).collect()
     }
 }
 

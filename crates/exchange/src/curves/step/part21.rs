@@ -27,6 +27,18 @@ pub(super) enum Value {
     Typed(String, Vec<Value>),
 }
 
+impl Value {
+    /// The instance it refers to, if it is a reference.
+    pub(super) fn reference(&self) -> Option<u64> {
+        if let Self::Reference(id) = self { Some(*id) } else { None }
+    }
+
+    /// The number it is, if it is one.
+    pub(super) fn number(&self) -> Option<f64> {
+        if let Self::Number(x) = self { Some(*x) } else { None }
+    }
+}
+
 /// An entity of an instance: a simple instance has one, a complex one several.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Entity {

@@ -64,15 +64,7 @@ fn assigned(file: &Part21<'_>) -> Result<Vec<u64>, CurveFileError> {
             if let ("GLOBAL_UNIT_ASSIGNED_CONTEXT", Some(Value::List(units))) =
                 (entity.name.as_str(), entity.values.first())
             {
-                used.extend(units.iter().filter_map(|unit| match unit {
-                    Value::Reference(id) => Some(*id),
-                    Value::Number(_)
-                    | Value::Text(_)
-                    | Value::Word(_)
-                    | Value::Absent
-                    | Value::List(_)
-                    | Value::Typed(..) => None,
-                }));
+                used.extend(units.iter().filter_map(Value::reference));
             }
         }
     }
@@ -85,15 +77,7 @@ fn assigned(file: &Part21<'_>) -> Result<Vec<u64>, CurveFileError> {
 fn millimetres(file: &Part21<'_>, id: u64) -> Result<Option<f64>, CurveFileError> {
     let Some(count) = number(file, id)? else { return Ok(None) };
     let entities = file.get(id)?;
-    let unit = entities.iter().flat_map(|entity| &entity.values).find_map(|value| match value {
-        Value::Reference(id) => Some(*id),
-        Value::Number(_)
-        | Value::Text(_)
-        | Value::Word(_)
-        | Value::Absent
-        | Value::List(_)
-        | Value::Typed(..) => None,
-    });
+    let unit = entities.iter().flat_map(|entity| &entity.values).find_map(Value::reference);
     let Some(unit) = unit else { return Ok(None) };
     let of = file.get(unit)?.into_iter().find(|entity| entity.name == "SI_UNIT").and_then(|entity| {
         match entity.values.first() {
