@@ -1,9 +1,9 @@
 """Reads exported files back with programs that are not ours.
 
-    python check.py DIR...      every .obj .ply .stl .vtu .step file in folders written by `plateau run`
+    python check.py DIR...      every .obj .ply .stl .vtu .bezier.vtu .step file in folders written by `plateau run`
 
-Meshes are compared with their OBJ file; STEP faces with the net of result.json where that is a Bernstein patch, and with
-the mesh (points on the patch, from the OBJ file) otherwise; OpenCASCADE checks their topology, gmsh measures their area, too. Prints one line a file; exit status 1 if one is not as it should be.
+Meshes are compared with their OBJ file; STEP faces and Bézier cells with the net of result.json where that is a Bernstein patch, and with
+the mesh (points on the patch, from the OBJ file) otherwise; OpenCASCADE checks their topology, gmsh measures their area, too, VTK that of cells. Prints one line a file; exit status 1 if one is not as it should be.
 """
 
 import json
@@ -16,6 +16,7 @@ import gmsh
 import meshio
 import numpy as np
 import trimesh
+import vtk
 from OCP.BRep import BRep_Tool
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepGProp import BRepGProp
@@ -80,6 +81,79 @@ def check_vtu(path, mesh):
             raw = trimesh.load(ply, process=False).metadata["_ply_raw"]["vertex"]["data"][name]
             same &= np.array_equal(values.ravel(), np.ravel(raw), equal_nan=True)
     return same
+
+
+class Cell:
+    """A cell as VTK evaluates it."""
+
+    def __init__(self, grid, number):
+        self.cell = vtk.vtkGenericCell()
+        grid.GetCell(number, self.cell)
+        self.cell = self.cell.GetRepresentativeCell()
+        self.count = self.cell.GetNumberOfPoints()
+
+    def point(self, r, s):
+        found, weights = [0.0] * 3, [0.0] * self.count
+        self.cell.EvaluateLocation(vtk.reference(0), [r, s, 0.0], found, weights)
+        return np.array(found)
+
+    def area(self, rule):
+        """By a rule of (r, s, weight), derivatives as differences of the fourth order: VTK's own are for quadrilaterals only."""
+        step, total = 2e-4, 0.0
+
+        def slope(along):
+            one, two = along(step) - along(-step), along(2 * step) - along(-2 * step)
+            return (8 * one - two) / (12 * step)
+
+        for r, s, weight in rule:
+            by_r, by_s = slope(lambda h: self.point(r + h, s)), slope(lambda h: self.point(r, s + h))
+            total += weight * np.linalg.norm(np.cross(by_r, by_s))
+        return total
+
+
+def gauss(count, triangle):
+    """A rule over the unit square; over the triangle r + s < 1 that of the square folded into it."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    nodes, weights = (nodes + 1) / 2, weights / 2
+    square = [(r, s, a * b) for r, a in zip(nodes, weights) for s, b in zip(nodes, weights)]
+    return [(r, s * (1 - r), w * (1 - r)) for r, s, w in square] if triangle else square
+
+
+def check_cells(path, mesh, method):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    cells = [Cell(grid, k) for k in range(grid.GetNumberOfCells())]
+    steps = np.linspace(0, 1, 23)
+    entry = next(file for file in method["files"] if file["file"] == path.name)
+    worst, points = 0.0, mesh[0]
+    if "faces" in method or (method["patch"], method["basis"]) == ("tensor", "bernstein"):
+        nets = [np.array(face["net"]) for face in method.get("faces", [method])]
+        # A face may be turned over to lie on the side of its neighbours.
+        for cell, net in zip(cells, nets, strict=True):
+            turned = np.abs(cell.point(1, 0) - net[-1, 0]).max() > EXACT * size(points)
+            for u in steps:
+                for v in steps:
+                    where = (v, u) if turned else (u, v)
+                    worst = max(worst, float(np.linalg.norm(cell.point(*where) - bernstein(net, u, v))))
+    elif method["patch"] == "triangle":
+        for point, (u, v) in zip(points, mesh[1]):
+            worst = max(worst, float(np.linalg.norm(cells[0].point(v, 1 - u - v) - point)))
+    else:
+        rows, cols = map(int, re.search(r"in (\d+) x (\d+) segments", entry["description"]).groups())
+        low, high = mesh[1].min(axis=0), mesh[1].max(axis=0)
+        for point, parameters in zip(points, mesh[1]):
+            at = (parameters - low) / (high - low) * [rows, cols]
+            i, j = np.minimum(at.astype(int), [rows - 1, cols - 1])
+            worst = max(worst, float(np.linalg.norm(cells[i * cols + j].point(at[0] - i, at[1] - j) - point)))
+    limit = entry.get("deviation", EXACT * size(points))
+    degree = max(int(k) for k in np.ravel([grid.GetCellData().GetHigherOrderDegrees().GetTuple(k) for k in range(len(cells))]))
+    rule = gauss(2 + degree if "deviation" in entry else 24, grid.GetCellType(0) == vtk.VTK_BEZIER_TRIANGLE)
+    area, expected = sum(cell.area(rule) for cell in cells), method["area"]
+    same = abs(area - expected) <= (1e-5 if "deviation" in entry else 1e-10) * expected
+    note = f"{len(cells)} cells of degree {degree}, deviation {worst:.2e} of {limit:.2e} admitted, area {area:.12g}, ours {expected:.12g}"
+    return worst <= limit and same, note
 
 
 def step_faces(path):
@@ -169,11 +243,12 @@ def main(folders):
                     good = bool(check(path, mesh))
                     sound &= good
                     print(f"{path}: {'as written' if good else 'WRONG'}")
-            path = folder / f"{stem}.step"
-            if path.exists():
-                good, note = check_step(path, mesh, method)
-                sound &= bool(good)
-                print(f"{path}: {'as written' if good else 'WRONG'}: {note}")
+            for ending, check in (("step", check_step), ("bezier.vtu", check_cells)):
+                path = folder / f"{stem}.{ending}"
+                if path.exists():
+                    good, note = check(path, mesh, method)
+                    sound &= bool(good)
+                    print(f"{path}: {'as written' if good else 'WRONG'}: {note}")
     return 0 if sound else 1
 
 

@@ -23,5 +23,5 @@ mod _engine {
     #[pymodule_export]
     use crate::run::{Run, run};
     #[pymodule_export]
-    use crate::surface::{Surface, formats};
+    use crate::surface::{Surface, format_of, formats};
 }

@@ -269,7 +269,7 @@ impl Surface {
         subdivisions: usize,
         tolerance: f64,
     ) -> PyResult<Option<String>> {
-        let known = Format::of_extension(format);
+        let known = Format::named(format);
         let format = known.ok_or_else(|| FormatError::new_err(format!("{format}: no such format")))?;
         let to = Destination::named(&path)
             .map_err(|error| io::Error::new(error.kind(), format!("{}: {error}", path.display())))?;
@@ -332,7 +332,13 @@ impl Found {
     }
 }
 
-/// The formats surfaces are written in, which are also the extensions of their files.
+/// The format that a file of this name has; none if its ending is that of no format.
+#[pyfunction]
+pub(crate) fn format_of(name: &str) -> Option<&'static str> {
+    Format::of_file(name).map(Format::name)
+}
+
+/// The formats surfaces are written in by name.
 #[pyfunction]
 pub(crate) fn formats() -> Vec<&'static str> {
     Format::ALL.iter().map(|format| format.name()).collect()

@@ -9,7 +9,7 @@ import pytest
 
 import plateau_patches as pp
 
-FORMATS = ["obj", "ply", "stl", "glb", "vtu", "step", "stp"]
+FORMATS = ["obj", "ply", "stl", "glb", "vtu", "vtu-bezier", "step", "stp"]
 
 
 @pytest.mark.parametrize("extension", FORMATS)
@@ -23,7 +23,7 @@ def test_every_format_is_written(
             pp.triangle([[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [0, 1, 1]], [[0, 1, 1], [0, 0, 0]]),
         ]
     ):
-        path = tmp_path / f"{k}.{extension}"
+        path = tmp_path / f"{k}.{'bezier.vtu' if extension == 'vtu-bezier' else extension}"
         surface.save(path, n=8)
         assert path.stat().st_size > 500
         again = tmp_path / f"{k}.data"

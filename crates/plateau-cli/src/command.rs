@@ -230,7 +230,7 @@ pub(crate) struct FillArguments {
     /// Files of curves: OBJ lines or curves, a table of points (CSV), STEP, ASCII DXF; - for stdin
     #[arg(required = true, value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
-    /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu; toml for the experiment, json for its result, html for its page. May be given several times
+    /// The file to write, by its extension: step, stp, glb, ply, obj, stl, vtu, bezier.vtu; toml for the experiment, json for its result, html for its page. May be given several times
     #[arg(long, short, value_name = "OUT")]
     pub(crate) out: Vec<PathBuf>,
     /// Degree of the patches, at most 24; by default 6, or that of the curves where it is higher
@@ -300,7 +300,7 @@ pub(crate) struct ExportArguments {
     /// Subdivisions of each side of a mesh
     #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u16).range(2..=2000))]
     pub(crate) mesh: u16,
-    /// STEP: largest distance between a fitted surface and the patch, as a share of the size
+    /// step, vtu-bezier: largest distance between a fitted surface and the patch, as a share of the size
     #[arg(long, value_name = "T", default_value_t = exchange::DEFAULT_TOLERANCE, value_parser = share)]
     pub(crate) tolerance: f64,
     /// STEP: what the numbers are; they are written unchanged

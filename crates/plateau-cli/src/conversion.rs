@@ -34,7 +34,9 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
     for method in chosen {
         let to = match &arguments.out {
             Some(path) => named(path, result)?,
-            None => Destination::own(folder.join(format!("{prefix}{}.{}", method.file_name, format.name()))),
+            None => {
+                Destination::own(folder.join(format!("{prefix}{}.{}", method.file_name, format.ending())))
+            }
         };
         let path = to.path().display();
         let written = method.export(format, arguments.mesh.into(), step, &to);

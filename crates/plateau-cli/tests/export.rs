@@ -23,7 +23,8 @@ const METHODS: &str = "[[method]]\nname = 'Bernstein'\nenergy = 'dirichlet'\n\
 const TRIANGLE: &str = "[boundary]\nab = [[0, 0, 0], [1, 0, 1], [3, 0, 0]]\nbc = [[3, 0, 0], [2, 2, 1], [1, 3, 0]]\n\
     ca = [[1, 3, 0], [0, 1, -1], [0, 0, 0]]\n[[method]]\nname = 'triangle'\nenergy = 'dirichlet'\n";
 
-const FORMATS: &str = "[output]\nmesh = 6\nformats = ['obj', 'ply', 'stl', 'glb', 'vtu', 'step']\n";
+const FORMATS: &str =
+    "[output]\nmesh = 6\nformats = ['obj', 'ply', 'stl', 'glb', 'vtu', 'vtu-bezier', 'step']\n";
 
 /// A folder of its own for each test, removed at its end.
 struct Folder(PathBuf);
@@ -81,7 +82,7 @@ fn stored_surfaces_are_those_that_were_found() {
             assert_eq!((&stored.name, *family), (&method.name, done.solved.family));
             assert_eq!(surface.mesh(6).unwrap(), done.mesh, "{}", stored.name);
             for format in Format::ALL {
-                let written = delivered.folder.join(format!("{}.{format}", stored.file_name));
+                let written = delivered.folder.join(format!("{}.{}", stored.file_name, format.ending()));
                 let again = folder.0.join("again");
                 stored.export(format, 6, DEFAULT_TOLERANCE, &Destination::own(again.clone())).unwrap();
                 assert_eq!(fs::read(written).unwrap(), fs::read(again).unwrap(), "{} {format}", stored.name);
@@ -94,7 +95,7 @@ fn stored_surfaces_are_those_that_were_found() {
 fn films_are_read_back_and_written_in_every_format() {
     let folder = Folder::new("films");
     let text = format!(
-        "{}formats = [\"obj\", \"ply\", \"stl\", \"glb\", \"vtu\", \"step\"]\n",
+        "{}formats = [\"obj\", \"ply\", \"stl\", \"glb\", \"vtu\", \"vtu-bezier\", \"step\"]\n",
         Template::Faces.text().replace("formats", "# ")
     );
     let plan = Plan::parse("film.toml", &text).unwrap();
@@ -116,7 +117,7 @@ fn films_are_read_back_and_written_in_every_format() {
     for format in Format::ALL {
         let again = folder.0.join(format!("again.{format}"));
         stored.methods[0].export(format, 48, DEFAULT_TOLERANCE, &Destination::own(again.clone())).unwrap();
-        let written = fs::read(delivered.folder.join(format!("least-area.{format}"))).unwrap();
+        let written = fs::read(delivered.folder.join(format!("least-area.{}", format.ending()))).unwrap();
         // The record does not number vertices: they may come in another order, and some digits more or less with them.
         let (again, written) = (fs::read(again).unwrap().len(), written.len());
         assert!(again.abs_diff(written) <= written / 100, "{format}: {again} and {written} bytes");
@@ -542,7 +543,7 @@ fn coordinates_near_the_end_of_double_precision_are_refused_by_every_format() {
         record["methods"][0]["net"][0][0] = serde_json::json!([large, 0.0, 0.0]);
         let stored = StoredResult::parse(record.to_string().as_bytes()).unwrap();
         for format in Format::ALL {
-            let path = folder.0.join(format!("large.{}", format.name()));
+            let path = folder.0.join(format!("large.{}", format.ending()));
             let written =
                 stored.methods[0].export(format, 6, DEFAULT_TOLERANCE, &Destination::own(path.clone()));
             let holds = large < 1e308 && matches!(format, Format::Obj | Format::Ply | Format::Vtu);

@@ -42,7 +42,7 @@ const HEXAGON: &str =
 fn a_hexagon_comes_out_in_every_format() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();
-    let names = ["x.step", "x.stp", "x.glb", "x.ply", "x.obj", "x.stl", "x.vtu", "x.toml"];
+    let names = ["x.step", "x.stp", "x.glb", "x.ply", "x.obj", "x.stl", "x.vtu", "x.bezier.vtu", "x.toml"];
     let mut arguments = vec!["hexagon.obj"];
     names.iter().for_each(|name| arguments.extend(["-o", name]));
     let out = fill(folder.path(), &arguments);

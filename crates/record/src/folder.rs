@@ -44,7 +44,7 @@ pub fn folder_key(stem: &str) -> String {
 
 /// The file of a method's surface; `name` is its name among [`file_names`](crate::file_name::file_names).
 pub(crate) fn surface_file(name: &str, format: Format) -> String {
-    format!("{name}.{}", format.name())
+    format!("{name}.{}", format.ending())
 }
 
 pub(crate) fn picture_file(name: &str) -> String {

@@ -7,6 +7,7 @@ use serde_json::Value;
 use thiserror::Error;
 
 use crate::export::{Named, rehearse};
+use crate::folder::surface_file;
 use crate::result_reader::{check_schema, check_size, contents, required};
 use crate::{ExportError, Manifest, Origin, ReadError, ResultFile};
 use experiment::{Finished, Options, Plan, Refusal, run};
@@ -127,7 +128,7 @@ fn record(plan: &Plan, finished: &Finished, unwritten: Option<&Value>) -> Result
         for &format in &plan.output.formats {
             let (surface, family) = (&done.solved.surface, done.solved.family);
             let named = Named { name: &method.name, surface, family, mesh: &done.mesh };
-            let file = format!("{name}.{}", format.name());
+            let file = surface_file(name, format);
             if unwritten.iter().any(|name| name.as_str() == Some(&file)) {
                 continue;
             }

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from .curves import Curve
 from .filling import Options
 
-__all__ = ["Run", "Surface", "fill_faces", "fill_loops", "formats", "page", "read_curves", "run"]
+__all__ = ["Run", "Surface", "fill_faces", "fill_loops", "format_of", "formats", "page", "read_curves", "run"]
 
 _Floats = npt.NDArray[np.float64]
 _Told = Callable[[str, int, int | None], object] | None
@@ -71,4 +71,5 @@ def read_curves(bytes: bytes, name: str) -> tuple[list[_CurveFields], list[str]]
 def page(
     title: str, surfaces: list[Surface], warnings: list[str], text: str
 ) -> tuple[str, list[tuple[str, str, str]]]: ...
+def format_of(name: str) -> str | None: ...
 def formats() -> list[str]: ...

@@ -289,8 +289,8 @@ class Surface:
         self, path: str | PathLike[str], format: str | None = None, *, n: int | None = None, tolerance: float = 1e-6
     ) -> str | None:
         """Writes the surface in the format of the file's extension, or in ``format``: ``obj``, ``ply``, ``stl``, ``glb``,
-        ``vtu`` (meshes of ``n`` subdivisions a side: 48, or 16 of each of several patches), ``step`` and, with the extra ``rhino``,
-        ``3dm`` (the surface itself, or a fit within ``tolerance`` of its size). The file is there whole or not at all; folders
+        ``vtu`` (meshes of ``n`` subdivisions a side: 48, or 16 of each of several patches), ``step``, ``vtu-bezier`` (files that
+        end in ``.bezier.vtu``) and, with the extra ``rhino``, ``3dm`` (the surface itself, or a fit within ``tolerance`` of its size). The file is there whole or not at all; folders
         that are not there are made.
 
         Returns:
@@ -301,7 +301,7 @@ class Surface:
             OSError: the file system.
         """
         path = Path(fspath(path))
-        wanted = (format or path.suffix).lstrip(".").lower()
+        wanted = (format or _engine.format_of(path.name) or path.suffix).lstrip(".").lower()
         if not 0.0 < number(tolerance, "tolerance") < 1.0:
             raise FormatError(f"tolerance {tolerance} is not offered: it is a share of the size")
         if n is None:

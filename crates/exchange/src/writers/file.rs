@@ -6,7 +6,8 @@ use plateau::{Family, MAX_COORDINATE, Surface};
 use surfaces::{Complex, Mesh};
 use thiserror::Error;
 
-use super::format::Format;
+use super::cells::CellFile;
+use super::format::{Format, Holds};
 use super::shell::ShellFile;
 use super::step::StepFile;
 use super::subject::{Export, Subject, SurfaceForm};
@@ -24,6 +25,7 @@ pub struct SurfaceFile<'a> {
 
 enum Content<'a> {
     Mesh(&'static dyn Export),
+    Cells(Box<CellFile>),
     Step(Box<StepFile>),
     Shell(Box<ShellFile<'a>>),
 }
@@ -43,28 +45,28 @@ impl<'a> SurfaceFile<'a> {
         if let Surface::Complex(complex) = surface {
             return Self::of_complex(format, subject, complex);
         }
-        let content = match format.of_meshes() {
-            Some(export) => Content::of_mesh(export, subject.mesh)?,
-            None => {
-                let file =
-                    StepFile::new(surface, family, tolerance).map_err(|error| Unfit(error.to_string()))?;
-                Content::Step(Box::new(file))
+        let content = match format.holds() {
+            Holds::Mesh(export) => Content::of_mesh(export, subject.mesh)?,
+            Holds::Cells => {
+                Content::Cells(Box::new(CellFile::new(surface, family, tolerance).map_err(unfit)?))
+            }
+            Holds::Faces => {
+                Content::Step(Box::new(StepFile::new(surface, family, tolerance).map_err(unfit)?))
             }
         };
         Ok(Self { subject, content })
     }
 
-    /// The file of a complex, of which the subject has a mesh; STEP holds it exactly, its faces sewn by their edges.
+    /// The file of a complex, of which the subject has a mesh; STEP holds it exactly, its faces sewn by their edges, and so do Bézier cells,
+    /// which have points in common.
     ///
     /// # Errors
     /// [`Unfit`] if the format cannot hold it.
     pub fn of_complex(format: Format, subject: Subject<'a>, complex: &'a Complex) -> Result<Self, Unfit> {
-        let content = match format.of_meshes() {
-            Some(export) => Content::of_mesh(export, subject.mesh)?,
-            None => {
-                let file = ShellFile::new(complex).map_err(|error| Unfit(error.to_string()))?;
-                Content::Shell(Box::new(file))
-            }
+        let content = match format.holds() {
+            Holds::Mesh(export) => Content::of_mesh(export, subject.mesh)?,
+            Holds::Cells => Content::Cells(Box::new(CellFile::of_complex(complex).map_err(unfit)?)),
+            Holds::Faces => Content::Shell(Box::new(ShellFile::new(complex).map_err(unfit)?)),
         };
         Ok(Self { subject, content })
     }
@@ -73,6 +75,9 @@ impl<'a> SurfaceFile<'a> {
     pub fn form(&self) -> Option<SurfaceForm> {
         match &self.content {
             Content::Mesh(format) => format.form(&self.subject),
+            Content::Cells(file) => {
+                Some(SurfaceForm { deviation: file.deviation(), description: file.description().to_owned() })
+            }
             Content::Step(file) => {
                 Some(SurfaceForm { deviation: file.deviation(), description: file.description() })
             }
@@ -88,10 +93,15 @@ impl<'a> SurfaceFile<'a> {
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         match &self.content {
             Content::Mesh(format) => format.write(&self.subject, out),
+            Content::Cells(file) => file.write(out),
             Content::Step(file) => file.write(self.subject.name, self.subject.unit.unwrap_or_default(), out),
             Content::Shell(file) => file.write(self.subject.name, self.subject.unit.unwrap_or_default(), out),
         }
     }
+}
+
+fn unfit(error: impl std::error::Error) -> Unfit {
+    Unfit(error.to_string())
 }
 
 impl Content<'_> {

@@ -1,5 +1,6 @@
 //! Meshes, surfaces and curves as files for other programs, one format a file.
 
+mod cells;
 mod csv;
 mod deformation;
 mod extent;
@@ -12,6 +13,7 @@ mod spline;
 mod step;
 mod step_form;
 mod subject;
+mod vtk;
 
 pub use csv::write_curves;
 pub use deformation::write_deformation;

@@ -43,6 +43,16 @@ pub enum Accuracy {
     },
 }
 
+impl Accuracy {
+    /// The largest distance between spline and surface that is stated; none if they are the same.
+    pub(super) fn deviation(self) -> Option<f64> {
+        match self {
+            Self::Exact => None,
+            Self::Fitted { deviation, .. } => Some(deviation),
+        }
+    }
+}
+
 /// The spline of a surface, exact if it can be, otherwise within `tolerance` times its size.
 ///
 /// # Errors
@@ -53,7 +63,7 @@ pub fn spline(
     tolerance: f64,
 ) -> Result<(SplineSurface, Accuracy), SplineError> {
     match surface {
-        Surface::Tensor(patch) if family == Family::Bernstein && exact_degrees(patch) => {
+        Surface::Tensor(patch) if is_polynomial(patch, family) && is_read(patch) => {
             Ok((SplineSurface::bernstein(patch.net()), Accuracy::Exact))
         }
         Surface::Tensor(patch) => Ok(fitted(SplineFit::of_patch(patch, tolerance)?)),
@@ -70,7 +80,29 @@ fn fitted(fit: SplineFit) -> (SplineSurface, Accuracy) {
     (fit.surface, Accuracy::Fitted { deviation: fit.deviation, size: fit.size })
 }
 
-fn exact_degrees(patch: &TensorPatch) -> bool {
+/// Whether a patch is the polynomial that its net says, over the unit square.
+pub(super) fn is_polynomial(patch: &TensorPatch, family: Family) -> bool {
+    family == Family::Bernstein
+        && matches!(patch.domain(), Domain::Rectangle { u: (0.0, 1.0), v: (0.0, 1.0) })
+}
+
+fn is_read(patch: &TensorPatch) -> bool {
     let (m, n) = patch.net().degrees();
-    m.max(n) <= LARGEST_DEGREE && matches!(patch.domain(), Domain::Rectangle { u: (0.0, 1.0), v: (0.0, 1.0) })
+    m.max(n) <= LARGEST_DEGREE
+}
+
+/// What a spline is, for people.
+pub(super) fn described(spline: &SplineSurface, accuracy: Accuracy) -> String {
+    let [u, v] = spline.knots();
+    let degrees = format!("degree ({}, {})", u.degree(), v.degree());
+    match accuracy {
+        Accuracy::Exact => format!("exact: a polynomial surface of {degrees}"),
+        Accuracy::Fitted { deviation, size } => format!(
+            "a B-spline fit of {degrees} in {} x {} segments, twice continuously differentiable: no point farther than \
+             {deviation:.2e} ({:.1e} of the size) from the patch, 1.25 times the largest distance measured",
+            u.values().len() - 1,
+            v.values().len() - 1,
+            if size > 0.0 { deviation / size } else { 0.0 },
+        ),
+    }
 }

@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use surfaces::{Knots, Point, SplineSurface};
 use thiserror::Error;
 
-use super::spline::{Accuracy, LARGEST_DEGREE, SplineError, spline};
+use super::spline::{Accuracy, LARGEST_DEGREE, SplineError, described, spline};
 use crate::LengthUnit;
 use plateau::{Family, Surface};
 
@@ -98,26 +98,12 @@ impl StepFile {
 
     /// The largest distance from the patch that the file states; none if the surface is the patch itself.
     pub(crate) fn deviation(&self) -> Option<f64> {
-        match self.accuracy {
-            Accuracy::Exact => None,
-            Accuracy::Fitted { deviation, .. } => Some(deviation),
-        }
+        self.accuracy.deviation()
     }
 
     /// What the surface is, for people.
     pub(crate) fn description(&self) -> String {
-        let [u, v] = &self.spline.knots();
-        let degrees = format!("degree ({}, {})", u.degree(), v.degree());
-        match self.accuracy {
-            Accuracy::Exact => format!("exact: a polynomial surface of {degrees}"),
-            Accuracy::Fitted { deviation, size } => format!(
-                "a B-spline fit of {degrees} in {} x {} segments, twice continuously differentiable: no point farther than \
-                 {deviation:.2e} ({:.1e} of the size) from the patch, 1.25 times the largest distance measured",
-                u.values().len() - 1,
-                v.values().len() - 1,
-                if size > 0.0 { deviation / size } else { 0.0 },
-            ),
-        }
+        described(&self.spline, self.accuracy)
     }
 
     /// Writes the whole file.

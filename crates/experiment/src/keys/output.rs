@@ -34,7 +34,7 @@ pub(crate) static PICTURES: Key<Flag> =
 pub(crate) static STEP_TOLERANCE: Key<Interval> = Key::new(
     "step-tolerance",
     Interval::above(0.0, 1.0),
-    "the largest distance between a fitted surface in a STEP file and the patch, as a share of the patch's size",
+    "the largest distance between a fitted surface, in a STEP file or in Bézier cells, and the patch, as a share of the patch's size",
 )
 .or("1e-6");
 pub(crate) static STEP_UNIT: Key<Name<LengthUnit>> = Key::new(

@@ -42,13 +42,14 @@ impl Output {
         let refused = |why: String| Failure::of_input(path.display(), why);
         let extension =
             path.extension().map(|end| end.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-        let wanted = match Format::of_extension(&extension) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let wanted = match Format::of_file(&name) {
             Some(format) => Wanted::Surface(format),
             None if extension == "toml" => Wanted::Experiment,
             None if extension == "json" => Wanted::Result,
             None if extension == "html" => Wanted::Page,
             None => {
-                let known: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+                let known: Vec<&str> = Format::ALL.iter().map(|format| format.ending()).collect();
                 let known = known.join(", ");
                 let why = format!(
                     "files are written by their extension: {known}, stp for a surface, toml for the experiment, json for its result, \

@@ -22,6 +22,7 @@ pub use fit::{CurveFit, Deviation};
 pub use polyline::Polyline;
 pub use samples::Samples;
 pub use spline::SplineCurve;
+pub(crate) use spline::joined_pieces;
 
 use crate::Point;
 use crate::net::extent;

@@ -240,6 +240,16 @@ fn spans(degree: usize, knots: &[f64], points: &[Point], weights: Option<&[f64]>
     spans
 }
 
+/// The control points of the polynomial pieces between the knots of a clamped spline, one after the other, those where two meet once.
+pub(crate) fn joined_pieces(degree: usize, knots: &[f64], points: &[Point]) -> Vec<Point> {
+    let spans = spans(degree, knots, points, None);
+    spans
+        .into_iter()
+        .enumerate()
+        .flat_map(|(k, span)| span.points.into_iter().skip(usize::from(k > 0)))
+        .collect()
+}
+
 /// Control values of the polynomial over knot interval k: its blossom at d − j times the start and j times the end.
 fn bezier_form<T>(degree: usize, knots: &[f64], k: usize, local: &[T]) -> Vec<T>
 where

@@ -19,6 +19,13 @@ impl Knots {
         Self { degree: 5, values, multiplicities }
     }
 
+    /// The same with every inner knot d times.
+    pub(super) fn bezier_form(&self) -> Self {
+        let last = self.values.len() - 1;
+        let times = |k: usize| if k == 0 || k == last { self.degree + 1 } else { self.degree };
+        Self { multiplicities: (0..=last).map(times).collect(), ..self.clone() }
+    }
+
     /// The degree d of the functions.
     pub fn degree(&self) -> usize {
         self.degree

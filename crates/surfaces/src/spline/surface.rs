@@ -1,7 +1,7 @@
 //! B-spline surfaces, the form in which CAD programs hold a patch.
 
 use super::Knots;
-use crate::curves::raised_once;
+use crate::curves::{joined_pieces, raised_once};
 use crate::{Net, Point, TriangleNet};
 
 /// A tensor product B-spline surface over the rectangle of its first and last knots.
@@ -36,6 +36,21 @@ impl SplineSurface {
             row
         });
         Self { knots: [Knots::bernstein(n), Knots::bernstein(n)], points: rows.collect() }
+    }
+
+    /// The same surface, exact but for rounding, with every inner knot as often as the degree says: between neighbouring knots lie
+    /// (d + 1) × (e + 1) control points, which are those of a Bézier patch, and the outer ones are those of its neighbours, too.
+    #[must_use]
+    pub fn bezier_form(&self) -> Self {
+        let [u, v] = &self.knots;
+        let refined = |knots: &Knots, line: &[Point]| joined_pieces(knots.degree(), &knots.repeated(), line);
+        let rows: Vec<Vec<Point>> = self.points.chunks(self.cols()).map(|row| refined(v, row)).collect();
+        let cols = rows.first().map_or(0, Vec::len);
+        let column = |j: usize| rows.iter().map(|row| row[j]).collect::<Vec<_>>();
+        let columns: Vec<Vec<Point>> = (0..cols).map(|j| refined(u, &column(j))).collect();
+        let count = columns.first().map_or(0, Vec::len);
+        let points = (0..count).flat_map(|i| columns.iter().map(move |column| column[i])).collect();
+        Self { knots: [u.bezier_form(), v.bezier_form()], points }
     }
 
     /// The knots in u and in v.

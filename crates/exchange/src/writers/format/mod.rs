@@ -23,9 +23,21 @@ pub enum Lengths {
     Metres,
 }
 
-/// The enum of formats, the list of them and their rows, from one line each: variant, name, meaning, what it says of lengths, writer of meshes.
+/// What the files of a format hold.
+#[derive(Clone, Copy)]
+pub(super) enum Holds {
+    /// A mesh, in the words of its writer.
+    Mesh(&'static dyn Export),
+    /// The surface itself, as Bézier cells.
+    Cells,
+    /// The surface itself, as faces of CAD programs.
+    Faces,
+}
+
+/// The enum of formats, the list of them and their rows, from one line each: variant, name, ending of its files, meaning, what it says of
+/// lengths, what it holds.
 macro_rules! formats {
-    ($($variant:ident = $name:literal, $meaning:literal, $lengths:ident, $writer:expr;)*) => {
+    ($($variant:ident = $name:literal, $ending:literal, $meaning:literal, $lengths:ident, $holds:expr;)*) => {
         /// A file format for surfaces.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Format {
@@ -36,11 +48,20 @@ macro_rules! formats {
             /// Every format, in the order of the documentation.
             pub const ALL: [Self; [$(Self::$variant),*].len()] = [$(Self::$variant),*];
 
-            /// The format's name in experiment files, which is also its file extension.
+            /// The format's name in experiment files.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$variant => $name,)*
+                }
+            }
+
+            /// What names of its files end in, after a dot: its name, but for `vtu-bezier`, whose files are `bezier.vtu`, since
+            /// programs know all VTU files by their extension.
+            #[must_use]
+            pub const fn ending(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $ending,)*
                 }
             }
 
@@ -52,10 +73,10 @@ macro_rules! formats {
                 }
             }
 
-            /// The writer of its meshes; none if it holds the surface itself.
-            pub(super) const fn of_meshes(self) -> Option<&'static dyn Export> {
+            /// What its files hold.
+            pub(super) const fn holds(self) -> Holds {
                 match self {
-                    $(Self::$variant => $writer,)*
+                    $(Self::$variant => $holds,)*
                 }
             }
         }
@@ -63,29 +84,56 @@ macro_rules! formats {
 }
 
 formats! {
-    Obj = "obj", "Wavefront OBJ.", Unsaid, Some(&obj::Obj);
-    Ply = "ply", "Stanford PLY with colours.", Unsaid, Some(&ply::Ply);
-    Stl = "stl", "STL.", Unsaid, Some(&stl::Stl);
-    Glb = "glb", "Binary glTF.", Metres, Some(&glb::Glb);
-    Vtu = "vtu", "VTK unstructured grid, for ParaView.", Unsaid, Some(&vtu::Vtu);
-    Step = "step", "STEP AP214, the patch itself as one B-spline face.", Named, None;
+    Obj = "obj", "obj", "Wavefront OBJ.", Unsaid, Holds::Mesh(&obj::Obj);
+    Ply = "ply", "ply", "Stanford PLY with colours.", Unsaid, Holds::Mesh(&ply::Ply);
+    Stl = "stl", "stl", "STL.", Unsaid, Holds::Mesh(&stl::Stl);
+    Glb = "glb", "glb", "Binary glTF.", Metres, Holds::Mesh(&glb::Glb);
+    Vtu = "vtu", "vtu", "VTK unstructured grid, for ParaView.", Unsaid, Holds::Mesh(&vtu::Vtu);
+    VtuBezier = "vtu-bezier", "bezier.vtu", "VTK unstructured grid, the patches themselves as Bézier cells.", Unsaid, Holds::Cells;
+    Step = "step", "step", "STEP AP214, the patch itself as one B-spline face.", Named, Holds::Faces;
 }
 
 impl Format {
     /// Whether its files hold a mesh of the surface, and not the surface itself.
     #[must_use]
     pub const fn holds_a_mesh(self) -> bool {
-        self.of_meshes().is_some()
+        match self.holds() {
+            Holds::Mesh(_) => true,
+            Holds::Cells | Holds::Faces => false,
+        }
     }
 
-    /// The format of files with a given extension, in letters of either kind: its name, or `stp`.
+    /// The format of a file by the end of its name, in letters of either kind; the longest ending counts: `roof.bezier.vtu` has Bézier
+    /// cells. STEP files may end in `stp`.
+    ///
+    /// ```
+    /// use exchange::Format;
+    ///
+    /// let of = Format::of_file;
+    /// assert_eq!((of("roof.vtu"), of("Roof.Bezier.VTU")), (Some(Format::Vtu), Some(Format::VtuBezier)));
+    /// assert_eq!((of("a.b.stp"), of("vtu"), of("x.bezier")), (Some(Format::Step), None, None));
+    /// ```
     #[must_use]
-    pub fn of_extension(extension: &str) -> Option<Self> {
-        let extension = extension.to_ascii_lowercase();
-        if extension == "stp" {
+    pub fn of_file(name: &str) -> Option<Self> {
+        let name = name.to_ascii_lowercase();
+        let ends_in = |ending: &str| name.strip_suffix(ending).is_some_and(|stem| stem.ends_with('.'));
+        if ends_in("stp") {
             return Some(Self::Step);
         }
-        Self::ALL.into_iter().find(|format| format.name() == extension)
+        Self::ALL
+            .into_iter()
+            .filter(|format| ends_in(format.ending()))
+            .max_by_key(|format| format.ending().len())
+    }
+
+    /// The format of this name; `stp` is another for `step`.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let name = name.to_ascii_lowercase();
+        Self::ALL
+            .into_iter()
+            .find(|format| format.name() == name)
+            .or_else(|| (name == "stp").then_some(Self::Step))
     }
 }
 
