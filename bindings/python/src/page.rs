@@ -1,6 +1,6 @@
 //! Pictures and pages of surfaces.
 
-use plateau::{MethodResult, Results};
+use plateau::{MethodResult, Remark, Results};
 use pyo3::prelude::*;
 use show::{About, Scene};
 
@@ -26,6 +26,7 @@ pub(crate) fn page(
     watched(py, None, move |_| {
         let methods: Vec<MethodResult> =
             surfaces.iter().map(|surface| surface.shown()).collect::<PyResult<_>>()?;
+        let warnings = warnings.into_iter().map(Remark::Kept).collect();
         let results = Results { title: title.clone(), methods, curves: Vec::new(), warnings };
         let scene = Scene::of(&results);
         let pictures = show::pictures(&results, scene.as_ref());

@@ -1,8 +1,8 @@
 //! Running a plan: its surfaces or its curve, and what the file wants of them.
 
 use plateau::{
-    Arithmetic, Context, Degeneracy, Done, Energy, Fill, Helicoid, Keeper, MethodError, MethodResult,
-    Progress, Quantity, Results, Solved, counted, degeneracies, helicoids, of_net, sample, solve, trapezium,
+    Arithmetic, Context, Done, Energy, Fill, Helicoid, Keeper, MethodError, MethodResult, Progress, Quantity,
+    Remark, Results, Solved, counted, degeneracies, helicoids, of_net, sample, solve, trapezium,
 };
 
 use crate::advice::advised;
@@ -71,8 +71,8 @@ pub fn run_kept(
             let mut context = Context::new(seed);
             (context.search, context.arithmetic, context.mesh) = (experiment.search, arithmetic, mesh);
             (context.keeper, context.progress) = (keeper, progress);
-            results.warnings = degeneracies(&experiment.boundary).iter().map(Degeneracy::to_string).collect();
-            results.warnings.extend(experiment.boundary.welding().as_ref().map(ToString::to_string));
+            results.warnings = degeneracies(&experiment.boundary).into_iter().map(Remark::from).collect();
+            results.warnings.extend(experiment.boundary.welding().map(Remark::from));
             results.methods = patches(experiment, &context);
         }
         Experiment::Film(experiment) => results.methods = films(experiment, mesh, progress),
@@ -88,8 +88,10 @@ pub fn run_kept(
             results.warnings.extend(without_mesh(&plan.output));
             for curve in curves {
                 let sampled = sample(curve)?;
-                let of = if curves.len() > 1 { format!("{}: ", sampled.name) } else { String::new() };
-                results.warnings.extend(sampled.warnings().iter().map(|warning| format!("{of}{warning}")));
+                results.warnings.extend(sampled.warnings().into_iter().map(|warning| match curves.len() {
+                    1 => Remark::Whole(warning),
+                    _ => Remark::Curve { curve: sampled.name.clone(), warning },
+                }));
                 results.curves.push(sampled);
             }
         }
@@ -164,9 +166,9 @@ fn is_shared(quantity: Quantity) -> bool {
 }
 
 /// What is said where a curve is asked for in formats of surfaces.
-fn without_mesh(output: &Output) -> Option<String> {
-    let names: Vec<&str> = output.formats.iter().map(|format| format.name()).collect();
-    (!names.is_empty()).then(|| format!("a curve has no mesh: nothing is written as {}", names.join(", ")))
+fn without_mesh(output: &Output) -> Option<Remark> {
+    let formats: Vec<_> = output.formats.iter().map(|format| format.name()).collect();
+    (!formats.is_empty()).then_some(Remark::NoMesh { formats })
 }
 
 /// That expected numbers were missed or methods failed, in words; none if none were.

@@ -4,8 +4,8 @@ use exchange::{Format, LengthUnit, StepForm};
 use experiment::{Experiment, FilmExperiment, Options, Output, PatchExperiment, Plan, Rim, Template, run};
 use plateau::{
     Boundary, Construction, CurveBasis, DeformationPath, Direction, Done, Energy, Family, FillEnergy,
-    Filling, FixedShape, Functional, Functions, Loop, Method, Quantity, Search, SearchEnergy, SearchMode,
-    ShapedFamily, SolverChoice, TensorInterior, TriangleInterior, TriangleMask, Variant,
+    Filling, FixedShape, Functional, Functions, Loop, Method, Quantity, Remark, Search, SearchEnergy,
+    SearchMode, ShapedFamily, SolverChoice, TensorInterior, TriangleInterior, TriangleMask, Variant,
 };
 
 /// The functions and the interior of a method over four sides.
@@ -425,10 +425,11 @@ fn corners_that_differ_by_rounding_are_one_point() {
     let Boundary::Tensor(sides) = boundary else { panic!("{boundary:?}") };
     assert_eq!(sides.sides()[0][3], sides.sides()[3][0]);
     assert_eq!(sides.welded(), 4.898587196589413e-16);
-    let said = boundary.welding().expect("it was welded").to_string();
+    let welded = Remark::from(boundary.welding().expect("it was welded"));
+    let said = welded.to_string();
     assert!(said.contains("4.9e-16") && said.contains("made one point"), "{said}");
     let finished = run(&plan, Options::default(), &()).expect("it runs");
-    assert!(finished.results.warnings.contains(&said), "{:?}", finished.results.warnings);
+    assert!(finished.results.warnings.contains(&welded), "{:?}", finished.results.warnings);
     // A corner off by more than a millionth of the size is a slip.
     let off = NET.replace("[6,0,0]]   # P_{0,j}", "[6,1e-4,0]]");
     let method = "[[method]]\nname = \"a\"\nenergy = \"dirichlet\"\n";

@@ -39,7 +39,7 @@
 //! | numbers for people | [`Notation`], [`counted()`], [`rough_duration()`] |
 //! | running one | [`Context`], [`Arithmetic`], [`MethodError`] with its [`MethodFailure`] |
 //! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
-//! | results | [`Results`], [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
+//! | results | [`Results`] with a [`Remark`] on the whole, [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
 //! | figures | [`Figures`], [`BoundaryFigures`], [`FilmFigures`], [`Seams`], [`Kink`]; [`Quantity`] with its [`Bearer`], [`Measured`]; [`ClosedForm`] |
 //! | least areas | [`least_area_from()`], [`least_area_raised()`], [`least_area_triangle_from()`], [`least_area_triangle_raised()`], [`least_area_complex()`], [`least_area_complex_near()`], [`dirichlet_complex()`]; [`AreaExtremal`], [`Mode`], [`AreaEnd`], [`ValleyEnd`], [`Start`], [`Stage`] |
 //! | how far from the least | [`estimate_net()`], [`estimate_triangle()`], [`estimate_complex()`], [`AreaEstimate`], [`NoEstimate`]; [`excess_of_net()`], [`excess_of_triangle()`], [`excess_of_complex()`] |
@@ -88,6 +88,7 @@ mod outcome;
 mod own_net;
 mod progress;
 mod quantity;
+mod remark;
 mod seams;
 mod search;
 mod slender;
@@ -145,6 +146,7 @@ pub use outcome::{MethodResult, Results};
 pub use own_net::{NetBasis, OrderSix, OwnNet, of_net};
 pub use progress::Progress;
 pub use quantity::{Bearer, Measured, Quantity};
+pub use remark::Remark;
 pub use seams::{Kink, Seams};
 pub use search::{
     MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchFault, SearchMode, SearchOutcome, SearchRun, Variant,

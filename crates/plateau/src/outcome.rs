@@ -1,6 +1,6 @@
 //! What came of methods.
 
-use crate::{CurveResult, Done, MethodError, Quantity};
+use crate::{CurveResult, Done, MethodError, Quantity, Remark};
 
 /// What came of an experiment: surfaces, one a method, or sampled curves.
 #[derive(Debug)]
@@ -11,8 +11,8 @@ pub struct Results {
     pub methods: Vec<MethodResult>,
     /// The sampled curves, of experiments with a curve: one, or one for each of several shapes. They have no methods.
     pub curves: Vec<CurveResult>,
-    /// What a reader must know about the whole, one sentence each.
-    pub warnings: Vec<String>,
+    /// What a reader must know about the whole.
+    pub warnings: Vec<Remark>,
 }
 
 /// What became of one method.

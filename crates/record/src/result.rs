@@ -86,7 +86,7 @@ impl ResultFile {
                 [_] => Vec::new(),
                 curves => curves.iter().map(CurveEntry::new).collect(),
             },
-            warnings: results.warnings.clone(),
+            warnings: results.warnings.iter().map(ToString::to_string).collect(),
             missed: finished.missed().into_iter().map(missed_entry).collect(),
             files: Vec::new(),
             unwritten: Vec::new(),

@@ -32,7 +32,7 @@ fn said(finished: &Finished) -> Vec<String> {
         Ok(done) => done.warnings.iter().map(|w| format!("{}: {w}", method.name)).collect(),
         Err(error) => vec![format!("{}: failed: {error}", method.name)],
     });
-    finished.results.warnings.iter().cloned().chain(of_methods).collect()
+    finished.results.warnings.iter().map(ToString::to_string).chain(of_methods).collect()
 }
 
 /// For each fixture: every line names words that one thing said must hold.
