@@ -10,10 +10,10 @@ use plateau::MethodResult;
 mod curve;
 mod extremal;
 mod faces;
+mod figures;
 mod file;
 mod head;
 mod method;
-mod minimised;
 mod mode;
 mod net;
 mod number;
@@ -164,7 +164,7 @@ fn missed_entry(missed: Missed) -> MissedEntry {
 mod tests {
     use super::*;
 
-    /// Every key a method may have that no method of this version writes.
+    /// Keys of results that were written by others, in an order of their own.
     #[test]
     fn keys_of_complexes_are_read_and_written() {
         let method = serde_json::json!({
