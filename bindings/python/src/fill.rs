@@ -87,14 +87,14 @@ impl Options {
         told: Option<&Py<PyAny>>,
         span: impl FnOnce(&Self, &Fill, &dyn Progress) -> PyResult<(Film, S)> + Send + 'static,
     ) -> PyResult<(Surface, S)> {
-        let (fill, energy, name) = (self.fill()?, self.energy(), self.name.clone());
+        let (fill, name) = (self.fill()?, self.name.clone());
         let (film, said) = watched(py, told, move |progress| {
             progress.begin(&format!("filling of {}", self.name), None);
             let film = span(&self, &fill, progress);
             progress.end();
             film
         })??;
-        let outcome = Ok(Box::new(film.into_done(energy)));
+        let outcome = Ok(Box::new(film.into_done()));
         Ok((Surface::of(&MethodResult { name, outcome })?, said))
     }
 }

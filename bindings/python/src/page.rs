@@ -26,8 +26,8 @@ pub(crate) fn page(
     watched(py, None, move |_| {
         let methods: Vec<MethodResult> =
             surfaces.iter().map(|surface| surface.shown()).collect::<PyResult<_>>()?;
-        let warnings = warnings.into_iter().map(Remark::Kept).collect();
-        let results = Results { title: title.clone(), methods, curves: Vec::new(), warnings };
+        let remarks = warnings.into_iter().map(Remark::Kept).collect();
+        let results = Results::of_methods(title.clone(), methods).with_remarks(remarks);
         let scene = Scene::of(&results);
         let pictures = show::pictures(&results, scene.as_ref());
         let about = About {

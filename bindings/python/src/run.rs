@@ -44,7 +44,7 @@ pub(crate) fn run(
 impl Run {
     /// The surface of the method at a place.
     fn surface(&self, index: usize) -> PyResult<Surface> {
-        let method = self.finished.results.methods.get(index);
+        let method = self.finished.results.methods().get(index);
         let method = method.ok_or_else(|| MethodError::new_err(format!("there is no method {index}")))?;
         if let Err(error) = &method.outcome {
             return Err(of_method(error));

@@ -28,7 +28,9 @@ fn area(degree: usize, method: &str) -> Result<f64, Box<dyn Error>> {
         side(&|i| at(i, degree)),
     );
     let finished = run(&Plan::parse("enneper.toml", &text)?, Options::default(), &())?;
-    finished.results.methods[0].figure(Quantity::Area).ok_or_else(|| format!("degree {degree} failed").into())
+    finished.results.methods()[0]
+        .figure(Quantity::Area)
+        .ok_or_else(|| format!("degree {degree} failed").into())
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -21,7 +21,7 @@
 //! "#;
 //! let plan = Plan::parse("saddle.toml", text)?;
 //! let finished = run(&plan, Options::default(), &())?;
-//! let area = finished.results.methods[0].figure(Quantity::Area).expect("the method succeeds");
+//! let area = finished.results.methods()[0].figure(Quantity::Area).expect("the method succeeds");
 //! assert!((area - 5.123).abs() < 1e-2 && show::table(&finished.results, show::WIDTH).contains("Dirichlet"), "{area}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,8 +1,9 @@
 //! Running a plan: its surfaces or its curve, and what the file wants of them.
 
 use plateau::{
-    Arithmetic, Context, Done, Energy, Fill, Helicoid, Keeper, MethodError, MethodResult, Progress, Quantity,
-    Remark, Results, Solved, counted, degeneracies, helicoids, of_net, sample, solve, trapezium,
+    Arithmetic, Context, Curve, CurveResult, Done, Energy, Fill, Helicoid, Keeper, MethodError, MethodResult,
+    Progress, Quantity, Remark, Results, Solved, counted, degeneracies, helicoids, of_net, sample, solve,
+    trapezium,
 };
 
 use crate::advice::advised;
@@ -62,41 +63,44 @@ pub fn run_kept(
     keeper: &dyn Keeper,
 ) -> Result<Finished, MethodError> {
     let (seed, arithmetic) = (options.seed.unwrap_or(plan.seed), options.arithmetic);
-    let mut results =
-        Results { title: plan.title.clone(), methods: Vec::new(), curves: Vec::new(), warnings: Vec::new() };
     let mut wanted = plan.wanted.clone();
     let mesh = plan.output.mesh;
-    match &plan.experiment {
+    let of_methods = |methods| Results::of_methods(plan.title.as_str(), methods);
+    let results = match &plan.experiment {
         Experiment::Patch(experiment) => {
             let mut context = Context::new(seed);
             (context.search, context.arithmetic, context.mesh) = (experiment.search, arithmetic, mesh);
             (context.keeper, context.progress) = (keeper, progress);
-            results.warnings = degeneracies(&experiment.boundary).into_iter().map(Remark::from).collect();
-            results.warnings.extend(experiment.boundary.welding().map(Remark::from));
-            results.methods = patches(experiment, &context);
+            let degenerate = degeneracies(&experiment.boundary).into_iter().map(Remark::from);
+            let welded = experiment.boundary.welding().map(Remark::from);
+            of_methods(patches(experiment, &context)).with_remarks(degenerate.chain(welded).collect())
         }
-        Experiment::Film(experiment) => results.methods = films(experiment, mesh, progress),
+        Experiment::Film(experiment) => of_methods(films(experiment, mesh, progress)),
         Experiment::Helicoid(helicoid) => {
-            results.methods = helicoids(helicoid, mesh, progress);
             wanted = wanted_of_frames(helicoid, wanted);
+            of_methods(helicoids(helicoid, mesh, progress))
         }
         Experiment::TrapeziumHelicoid(helicoid, construction) => {
-            results.methods = vec![trapezium(helicoid, *construction, mesh)];
+            of_methods(vec![trapezium(helicoid, *construction, mesh)])
         }
-        Experiment::Net(net) => results.methods = vec![of_net(net, mesh)],
-        Experiment::Curve(curves) => {
-            results.warnings.extend(without_mesh(&plan.output));
-            for curve in curves {
-                let sampled = sample(curve)?;
-                results.warnings.extend(sampled.warnings().into_iter().map(|warning| match curves.len() {
-                    1 => Remark::Whole(warning),
-                    _ => Remark::Curve { curve: sampled.name.clone(), warning },
-                }));
-                results.curves.push(sampled);
-            }
-        }
-    }
+        Experiment::Net(net) => of_methods(vec![of_net(net, mesh)]),
+        Experiment::Curve(curves) => sampled(plan, curves)?,
+    };
     Ok(Finished { results, seed, arithmetic, wanted })
+}
+
+/// Curves with what is to be known of each.
+fn sampled(plan: &Plan, curves: &[Curve]) -> Result<Results, MethodError> {
+    let sampled = curves.iter().map(sample).collect::<Result<Vec<_>, _>>()?;
+    let of_curve = |of: &CurveResult| -> Vec<Remark> {
+        let remark = |warning| match curves.len() {
+            1 => Remark::Whole(warning),
+            _ => Remark::Curve { curve: of.name.clone(), warning },
+        };
+        of.warnings().into_iter().map(remark).collect()
+    };
+    let remarks = without_mesh(&plan.output).into_iter().chain(sampled.iter().flat_map(of_curve)).collect();
+    Ok(Results::of_curves(plan.title.as_str(), sampled).with_remarks(remarks))
 }
 
 fn patches(experiment: &PatchExperiment, context: &Context<'_>) -> Vec<MethodResult> {
@@ -137,7 +141,7 @@ fn films(experiment: &FilmExperiment, mesh: usize, progress: &dyn Progress) -> V
             Rim::Faces(graph) => fill.graph(graph, progress),
         };
         progress.end();
-        Ok(film?.into_done(method.energy))
+        Ok(film?.into_done())
     };
     let result = |method: &FilmMethod| MethodResult {
         name: method.name.clone(),
@@ -199,12 +203,13 @@ impl Finished {
 
     /// Every expected number with its method and ours.
     pub fn comparisons(&self) -> impl Iterator<Item = (&str, &Expected, Option<f64>)> {
-        let of_methods = self.results.methods.iter().zip(&self.wanted).flat_map(|(method, wanted)| {
+        let of_methods = self.results.methods().iter().zip(&self.wanted).flat_map(|(method, wanted)| {
             wanted.expect.iter().map(|e| (method.name.as_str(), e, method.figure(e.quantity)))
         });
-        let of_curves = self.results.curves.first().into_iter().zip(&self.wanted).flat_map(|(_, wanted)| {
-            wanted.expect.iter().map(|e| ("curve", e, self.results.figure_of_curves(e.quantity)))
-        });
+        let of_curves =
+            self.results.curves().first().into_iter().zip(&self.wanted).flat_map(|(_, wanted)| {
+                wanted.expect.iter().map(|e| ("curve", e, self.results.figure_of_curves(e.quantity)))
+            });
         of_methods.chain(of_curves)
     }
 }

@@ -27,8 +27,8 @@ fn found(first: usize, turned: bool, method: &str) -> (Figures, Point) {
     let plan = Plan::parse("t.toml", &text).unwrap_or_else(|refusal| panic!("{}", refusal.render(false)));
     let finished = run(&plan, Options::default(), &()).unwrap();
     let done =
-        finished.results.methods[0].outcome.as_ref().unwrap_or_else(|error| panic!("{method}: {error}"));
-    (done.figures, done.solved.surface.patch().expect("one patch").point(1.0 / 3.0, 1.0 / 3.0))
+        finished.results.methods()[0].outcome.as_ref().unwrap_or_else(|error| panic!("{method}: {error}"));
+    (done.figures, done.solved.surface().patch().expect("one patch").point(1.0 / 3.0, 1.0 / 3.0))
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn the_mask_of_the_cubic_coons_patch_is_singular_at_degrees_4_and_10() {
         );
         let plan = Plan::parse("t.toml", &text).unwrap_or_else(|refusal| panic!("{}", refusal.render(false)));
         let finished = run(&plan, Options::default(), &()).unwrap();
-        let outcome = &finished.results.methods[0].outcome;
+        let outcome = &finished.results.methods()[0].outcome;
         match (outcome, raise) {
             (Err(error), 1 | 7) => assert!(error.to_string().contains("singular"), "{error}"),
             (Ok(_), 0 | 2..=6 | 8) => {}

@@ -90,7 +90,7 @@ fn a_figure_that_is_admitted_exists() {
         let plain = Plan::parse("t.toml", &text)
             .unwrap_or_else(|refusal| panic!("{}\n{text}", refusal.render(false)));
         let finished = run(&plain, Options::default(), &()).unwrap();
-        let method = &finished.results.methods[0];
+        let method = &finished.results.methods()[0];
         assert!(method.outcome.is_ok(), "{text}");
         for &quantity in Quantity::ALL {
             let admitted = plan(&format!("{} = 1.0", quantity.name())).is_ok();

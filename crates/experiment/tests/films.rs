@@ -11,7 +11,7 @@ fn finished(text: &str) -> Finished {
 
 /// The surface of the one method of a text.
 fn done(text: &str) -> Done {
-    let [method] = <[_; 1]>::try_from(finished(text).results.methods).expect("one method");
+    let [method] = <[_; 1]>::try_from(finished(text).results.into_methods()).expect("one method");
     *method.outcome.unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -20,7 +20,7 @@ fn area(text: &str) -> f64 {
 }
 
 fn points(done: &Done) -> &[Point] {
-    let Surface::Complex(complex) = &done.solved.surface else { panic!("a complex") };
+    let Surface::Complex(complex) = done.solved.surface() else { panic!("a complex") };
     complex.points()
 }
 
@@ -90,8 +90,8 @@ fn the_edges_of_a_cube_have_the_area_that_schwarz_found() {
     let done = done(&text);
     assert!((done.figures.area.value / exact - 1.0).abs() < 1e-13, "{:?}", done.figures.area);
     let film = done.film.expect("what is known of films");
-    assert_eq!((film.rim.largest, film.one_by_one), (0.0, None));
-    assert!(film.seams.kink.is_some_and(|kink| kink.max < 1e-6));
+    assert_eq!((film.rim().largest, film.one_by_one()), (0.0, None));
+    assert!(film.seams().kink.is_some_and(|kink| kink.max < 1e-6));
     // What the file expects is compared.
     assert!(finished(&format!("{text}expect.area = 1.9188923568\n")).missed().is_empty());
     assert_eq!(finished(&format!("{text}expect.area = 1.9188923578\n")).missed().len(), 1);
@@ -116,7 +116,7 @@ fn two_rings_span_a_catenoid_or_two_discs() {
     (0..200).for_each(|_| c = 1.0 / (h / c).cosh());
     let exact = std::f64::consts::PI * c * (2.0 * h + c * (2.0 * h / c).sinh());
     assert!((catenoid.figures.area.value / exact - 1.0).abs() < 1e-12, "{:?}", catenoid.figures.area);
-    let discs = |done: &Done| done.film.as_ref().and_then(|film| film.one_by_one).expect("two loops");
+    let discs = |done: &Done| done.film.as_ref().and_then(|film| film.one_by_one()).expect("two loops");
     assert!((discs(&catenoid) / std::f64::consts::TAU - 1.0).abs() < 1e-8);
     // From 2h = 1.0554 on the discs together have less area, and it is said.
     let says = |done: &Done| done.warnings.iter().any(|warning| warning.to_string().contains("by itself"));
@@ -154,7 +154,7 @@ fn soap_films_meet_inside_a_cube() {
     }
     let done = done(&text);
     assert!((done.figures.area.value / 4.239_563_1 - 1.0).abs() < 1e-7, "{:?}", done.figures.area);
-    let Surface::Complex(complex) = &done.solved.surface else { panic!("a complex") };
+    let Surface::Complex(complex) = done.solved.surface() else { panic!("a complex") };
     // Three films at a line, four lines at a point.
     assert!(complex.edges().iter().all(|edge| [1, 2, 3].contains(&edge.uses().len())));
     assert!(complex.edges().iter().any(|edge| edge.uses().len() == 3));

@@ -73,8 +73,8 @@ fn experiment(rows: bool, m: usize, n: usize, net: &[[f64; 3]]) -> Plan {
 
 fn solved(plan: &Plan) -> Result<Net, MethodError> {
     let finished = run(plan, Options::default(), &()).expect("a patch experiment");
-    let method = finished.results.methods.into_iter().next().expect("one method");
-    match method.outcome?.solved.surface {
+    let method = finished.results.into_methods().into_iter().next().expect("one method");
+    match method.outcome?.solved.surface() {
         Surface::Tensor(patch) => Ok(patch.net().clone()),
         other => panic!("a rectangular net was asked for, not {other:?}"),
     }

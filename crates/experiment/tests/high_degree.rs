@@ -78,12 +78,12 @@ fn harmonic_graphs_are_found_at_every_degree() {
         ("laplacian", 64),
     ] {
         let finished = run(&exponential_frame(degree, energy, ""), Options::default(), &()).unwrap();
-        let done = finished.results.methods[0].outcome.as_ref().expect("solved");
-        let figures = done.solved.solve.expect("an extremal");
+        let done = finished.results.methods()[0].outcome.as_ref().expect("solved");
+        let figures = done.solved.solve().expect("an extremal");
         let separable = energy == "dirichlet" && degree <= 20;
         assert_eq!(figures.solver, if separable { "separable" } else { "conjugate-gradients" });
         assert!(figures.residual < 30.0);
-        let worst = misfit(done.solved.surface.patch().expect("one patch"));
+        let worst = misfit(done.solved.surface().patch().expect("one patch"));
         println!("{energy}, degree {degree}: {worst:.1e} from eˣ cos y");
         assert!(worst < 1e-12, "{energy}, degree {degree}: {worst:e}");
         // What the control points may lose is said beside.
@@ -96,7 +96,7 @@ fn harmonic_graphs_are_found_at_every_degree() {
 fn the_dense_solver_asked_for_by_name_refuses_where_it_cannot() {
     let finished =
         run(&exponential_frame(20, "dirichlet", "solver = \"dense\""), Options::default(), &()).unwrap();
-    match &finished.results.methods[0].outcome {
+    match &finished.results.methods()[0].outcome {
         Err(error @ MethodError::Solve(SolveError::NotPositiveDefinite { .. })) => {
             assert!(error.to_string().contains("separable"), "the message must say what to do: {error}");
         }
@@ -142,8 +142,8 @@ fn conjugate_gradients_find_what_the_dense_solver_finds() {
     let keys: Vec<String> =
         methods.iter().flat_map(|(keys, _)| [keys.clone(), format!("{keys}\nsolver = \"dense\"")]).collect();
     let finished = run(&raised_frame(12, &keys), Options::default(), &()).unwrap();
-    for (pair, (keys, quantity)) in finished.results.methods.chunks_exact(2).zip(&methods) {
-        let solver = |k: usize| pair[k].outcome.as_ref().expect(keys).solved.solve.expect("solved").solver;
+    for (pair, (keys, quantity)) in finished.results.methods().chunks_exact(2).zip(&methods) {
+        let solver = |k: usize| pair[k].outcome.as_ref().expect(keys).solved.solve().expect("solved").solver;
         assert_eq!(solver(1), "dense");
         assert!(["separable", "conjugate-gradients"].contains(&solver(0)));
         let figure = |k: usize| pair[k].figure(*quantity).expect("a figure");
@@ -165,7 +165,7 @@ fn raising_never_enlarges_a_minimum_and_settles() {
             .map(|degree| {
                 let finished =
                     run(&raised_frame(degree, std::slice::from_ref(&keys)), Options::default(), &()).unwrap();
-                finished.results.methods[0].figure(quantity).expect("solved")
+                finished.results.methods()[0].figure(quantity).expect("solved")
             })
             .into();
         println!("{}: {figures:?}", keys.replace('\n', ", "));
@@ -203,7 +203,7 @@ fn two_and_sixty_four_are_degrees_like_others() {
         let plan = Plan::parse("x.toml", &text).unwrap_or_else(|refusal| panic!("{}", refusal.render(false)));
         let finished = run(&plan, Options::default(), &()).unwrap();
         let done =
-            finished.results.methods[0].outcome.as_ref().unwrap_or_else(|error| panic!("{keys}: {error}"));
-        assert!(done.figures.area.settled && done.solved.surface.cancellation() < 1e-9, "{keys}");
+            finished.results.methods()[0].outcome.as_ref().unwrap_or_else(|error| panic!("{keys}: {error}"));
+        assert!(done.figures.area.settled && done.solved.surface().cancellation() < 1e-9, "{keys}");
     }
 }

@@ -175,7 +175,7 @@ fn changes(subject: &Subject, law: &str, changed: &str, methods: &[String], unit
     let names: Vec<&str> = methods.iter().map(String::as_str).collect();
     let (before, after) = (results(&(subject.boundary)(&stay), &subject.methods), results(changed, &names));
     for ((before, after), method) in
-        before.results.methods.iter().zip(&after.results.methods).zip(&subject.methods)
+        before.results.methods().iter().zip(after.results.methods()).zip(&subject.methods)
     {
         let done = |result: &plateau::MethodResult| -> Vec<(&'static str, i32, f64)> {
             let done = result
@@ -241,7 +241,7 @@ fn figures_do_not_change_with_the_names_of_the_sides() {
 
 /// What a method minimised.
 fn minimised(done: &Done) -> Option<f64> {
-    match done.solved.minimised? {
+    match done.solved.minimised()? {
         Energy::Area => Some(done.figures.area.value),
         Energy::Quadratic(functional) => Some(done.figures.quadratic(functional)?.value),
     }
@@ -268,7 +268,7 @@ fn raising_the_degree_never_enlarges_what_is_minimised() {
         let finished = results(boundary, &steps.iter().map(String::as_str).collect::<Vec<_>>());
         let values: Vec<f64> = finished
             .results
-            .methods
+            .methods()
             .iter()
             .map(|result| minimised(result.outcome.as_ref().unwrap()).unwrap())
             .collect();
@@ -289,7 +289,7 @@ fn no_surface_over_the_same_boundary_has_less_area_than_the_least() {
         }
         methods.push(least);
         let finished = results(&(subject.boundary)(&stay), &methods);
-        let done = |k: usize| finished.results.methods[k].outcome.as_ref().unwrap();
+        let done = |k: usize| finished.results.methods()[k].outcome.as_ref().unwrap();
         let least = done(methods.len() - 1).figures.area.value;
         let mut compared = 0;
         for k in 0..subject.methods.len() {

@@ -30,10 +30,11 @@ fn searched(scale: f64, energy: &str) -> plateau::Results {
 fn a_minimum_scales_as_what_was_searched_for() {
     for (word, energy) in SearchEnergy::NAMED.into_iter().filter(|(word, _)| *word != "area") {
         let [one, four] = [1.0, 4.0].map(|scale| searched(scale, word));
-        let done = one.methods[0].outcome.as_ref().unwrap_or_else(|error| panic!("{word}: {error}"));
+        let done = one.methods()[0].outcome.as_ref().unwrap_or_else(|error| panic!("{word}: {error}"));
         let power = Quantity::SearchMinimum.power_in(done).expect("a search");
         assert_eq!(Some(power), Quantity::of_search(energy).power(), "{word}");
-        let [a, b] = [&one, &four].map(|results| results.methods[0].figure(Quantity::SearchMinimum).unwrap());
+        let [a, b] =
+            [&one, &four].map(|results| results.methods()[0].figure(Quantity::SearchMinimum).unwrap());
         // The polish ends within its own tolerance.
         assert!((b / a / 4f64.powi(power) - 1.0).abs() <= 1e-6, "{word}: {a} {b} {power}");
     }

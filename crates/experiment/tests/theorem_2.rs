@@ -17,7 +17,7 @@ fn area(degree: usize, method: &str) -> f64 {
         side(&|i| at(i, degree)),
     );
     let finished = run(&Plan::parse("enneper.toml", &text).unwrap(), Options::default(), &()).unwrap();
-    finished.results.methods[0].figure(Quantity::Area).unwrap()
+    finished.results.methods()[0].figure(Quantity::Area).unwrap()
 }
 
 #[test]

@@ -26,7 +26,7 @@ fn compare(sides: &[(&str, &[[f64; 3]])], methods: &[&str], by: [f64; 3], tolera
 
 fn compare_boundaries(boundary: impl Fn(Map<'_>) -> String, methods: &[&str], by: [f64; 3], tolerance: f64) {
     let (near, far) = (results(&boundary(&stay), methods), results(&boundary(&mover(by)), methods));
-    for ((near, far), method) in near.results.methods.iter().zip(&far.results.methods).zip(methods) {
+    for ((near, far), method) in near.results.methods().iter().zip(far.results.methods()).zip(methods) {
         let (Ok(near), Ok(far)) = (&near.outcome, &far.outcome) else {
             panic!("{method} moved by {by:?}: {:?}", far.outcome.as_ref().err())
         };
@@ -75,7 +75,7 @@ fn films_do_not_depend_on_the_distance_from_the_origin() {
 fn a_film_far_away_is_not_said_to_fold() {
     let finished = |by| results(&polygon(&mover(by)), &["energy = \"area\""]);
     let area = |finished: &experiment::Finished| {
-        let done = finished.results.methods[0].outcome.as_ref().unwrap();
+        let done = finished.results.methods()[0].outcome.as_ref().unwrap();
         assert!(done.warnings.is_empty(), "{:?}", done.warnings);
         done.figures.area.value
     };
@@ -96,7 +96,7 @@ fn whole_steps_of_the_anchor_change_no_bit() {
     };
     for (sides, methods) in [(up(&TENSOR), TENSOR_METHODS), (up(&TRIANGLE), TRIANGLE_METHODS)] {
         let (near, far) = (results(&sides.0, methods), results(&sides.1, methods));
-        for ((a, b), method) in near.results.methods.iter().zip(&far.results.methods).zip(methods) {
+        for ((a, b), method) in near.results.methods().iter().zip(far.results.methods()).zip(methods) {
             let done = |result: &plateau::MethodResult| figures(result.outcome.as_ref().expect(method));
             assert_eq!(done(a), done(b), "{method}");
         }
@@ -107,8 +107,8 @@ fn whole_steps_of_the_anchor_change_no_bit() {
 fn the_boundary_is_kept_bit_for_bit() {
     let by = [388_096.25, 3_948_996.1, -1e9 / 3.0];
     let finished = results(&moved(&TENSOR, by), &["energy = \"dirichlet\""]);
-    let done = finished.results.methods[0].outcome.as_ref().unwrap();
-    let Surface::Tensor(patch) = &done.solved.surface else { panic!("a tensor patch") };
+    let done = finished.results.methods()[0].outcome.as_ref().unwrap();
+    let Surface::Tensor(patch) = done.solved.surface() else { panic!("a tensor patch") };
     for (side, (_, given)) in patch.net().boundary().iter().zip(TENSOR) {
         for (p, g) in side.iter().zip(given) {
             assert_eq!(<[f64; 3]>::from(*p), [g[0] + by[0], g[1] + by[1], g[2] + by[2]]);
@@ -121,7 +121,7 @@ fn a_search_far_away_finds_the_minimum() {
     let method = ["basis = \"gt\"\nsearch = true\nenergy = \"dirichlet\""];
     for distance in [0.0, 131_072.0, 16_777_216.0, 1e12] {
         let finished = results(&moved(&TENSOR, [distance; 3]), &method);
-        let done = finished.results.methods[0].outcome.as_ref().unwrap();
+        let done = finished.results.methods()[0].outcome.as_ref().unwrap();
         let found = done.figures.dirichlet.value;
         println!("at {distance:e}: {found:.10}");
         assert!((found - 38.484_965_097_6).abs() < 1e-9, "at {distance:e}: {found}");

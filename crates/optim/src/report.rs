@@ -2,35 +2,67 @@
 
 use std::fmt;
 
-/// Why a run of the swarm ended. None of these proves a minimum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Reason {
-    /// All iterations were done; says nothing about convergence.
-    Budget,
-    /// The best value did not improve noticeably over the given number of iterations.
-    Stagnation,
-    /// The swarm shrank below the given fraction of the box.
-    Collapse,
-    /// The observer ended the run.
-    Observer,
-    /// Every value was NaN or `+∞`: there is no best point.
-    NothingFinite,
-    /// A value of `−∞` was found: nothing can be lower.
-    Unbounded,
+/// An enum of reasons, the list of its variants, which none can be left out of, their words and their sentences.
+macro_rules! reasons {
+    ($(#[$about:meta])* $name:ident: $($(#[$meaning:meta])* $variant:ident = $word:literal, $sentence:literal;)*) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
+        pub enum $name {
+            $($(#[$meaning])* $variant,)*
+        }
+
+        impl $name {
+            /// Every reason.
+            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$variant),*];
+
+            /// Its word, for files: sentences may be mended.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $word,)*
+                }
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(match self {
+                    $(Self::$variant => $sentence,)*
+                })
+            }
+        }
+    };
 }
 
-impl fmt::Display for Reason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Budget => "the iteration budget is spent",
-            Self::Stagnation => "the best value stopped improving",
-            Self::Collapse => "the swarm collapsed to a point",
-            Self::Observer => "the observer ended the run",
-            Self::NothingFinite => "every value was NaN or infinite",
-            Self::Unbounded => "the objective took the value -inf",
-        })
-    }
+reasons! {
+    /// Why a run of the swarm ended. None of these proves a minimum.
+    Reason:
+    /// All iterations were done; says nothing about convergence.
+    Budget = "budget", "the iteration budget is spent";
+    /// The best value did not improve noticeably over the given number of iterations.
+    Stagnation = "stagnation", "the best value stopped improving";
+    /// The swarm shrank below the given fraction of the box.
+    Collapse = "collapse", "the swarm collapsed to a point";
+    /// The observer ended the run.
+    Observer = "observer", "the observer ended the run";
+    /// Every value was NaN or `+∞`: there is no best point.
+    NothingFinite = "nothing-finite", "every value was NaN or infinite";
+    /// A value of `−∞` was found: nothing can be lower.
+    Unbounded = "unbounded", "the objective took the value -inf";
+}
+
+reasons! {
+    /// Why a polish ended.
+    PolishReason:
+    /// The projected gradient vanishes within the tolerance.
+    Stationary = "stationary", "the projected gradient vanishes";
+    /// The value cannot be lowered any further in rounding, though the tolerance is not met.
+    Flat = "flat", "the value cannot be lowered further in rounding";
+    /// The evaluation budget is spent.
+    Budget = "budget", "the evaluation budget is spent";
+    /// The start has no finite value and gradient.
+    NotFinite = "not-finite", "the start has no finite value and gradient";
 }
 
 /// A point and its value.
@@ -127,53 +159,6 @@ impl Search {
     #[must_use]
     pub fn nan_evaluations(&self) -> u64 {
         self.runs.iter().map(|run| run.nan_evaluations).sum()
-    }
-}
-
-/// The enum, the list of its variants, which none can be left out of, and their words.
-macro_rules! polish_reasons {
-    ($($(#[$meaning:meta])* $variant:ident = $word:literal;)*) => {
-        /// Why a polish ended.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[non_exhaustive]
-        pub enum PolishReason {
-            $($(#[$meaning])* $variant,)*
-        }
-
-        impl PolishReason {
-            /// Every reason.
-            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$variant),*];
-
-            /// Its word, for files: sentences may be mended.
-            #[must_use]
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $word,)*
-                }
-            }
-        }
-    };
-}
-
-polish_reasons! {
-    /// The projected gradient vanishes within the tolerance.
-    Stationary = "stationary";
-    /// The value cannot be lowered any further in rounding, though the tolerance is not met.
-    Flat = "flat";
-    /// The evaluation budget is spent.
-    Budget = "budget";
-    /// The start has no finite value and gradient.
-    NotFinite = "not-finite";
-}
-
-impl fmt::Display for PolishReason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Stationary => "the projected gradient vanishes",
-            Self::Flat => "the value cannot be lowered further in rounding",
-            Self::Budget => "the evaluation budget is spent",
-            Self::NotFinite => "the start has no finite value and gradient",
-        })
     }
 }
 

@@ -317,13 +317,14 @@ fn a_forged_run_with_the_right_hash_is_run_again() {
     assert!(plateau(&files, &undisturbed, &[]).output().unwrap().status.success());
     let options = Options::default();
     let forge: [(&str, Forge); 5] = [
-        ("value", |run| run["value"] = 0.into()),
-        ("shape", |run| run["shape"][1] = 1.25_f64.to_bits().into()),
-        ("history", |run| run["history"][3] = 1e9_f64.to_bits().into()),
+        ("value", |run| run["polish"]["value"] = 0.into()),
+        ("shape", |run| run["polish"]["point"][1] = 1.25_f64.to_bits().into()),
+        ("history", |run| run["swarm"]["history"][3] = 1e9_f64.to_bits().into()),
         ("seed", |run| run["seed"] = 8.into()),
-        ("both", |run| {
-            run["value"] = 1e-3_f64.to_bits().into();
-            run["polish"]["value"] = 1e-3_f64.to_bits().into();
+        ("length", |run| {
+            run["polish"]["point"].as_array_mut().unwrap().pop();
+            run["polish"]["gradient"].as_array_mut().unwrap().pop();
+            run["polish"]["active"].as_array_mut().unwrap().pop();
         }),
     ];
     for (what, forge) in forge {

@@ -75,11 +75,11 @@ fn stored_surfaces_are_those_that_were_found() {
         let delivered = deliver(&plan, &finished, &folder.0).unwrap();
         assert!(delivered.refusals.is_empty());
         let stored = StoredResult::read(&delivered.folder.join("result.json")).unwrap();
-        assert_eq!(stored.methods.len(), finished.results.methods.len());
-        for (stored, method) in stored.methods.iter().zip(&finished.results.methods) {
+        assert_eq!(stored.methods.len(), finished.results.methods().len());
+        for (stored, method) in stored.methods.iter().zip(finished.results.methods()) {
             let (surface, family) = stored.surface.as_ref().unwrap();
             let done = method.outcome.as_ref().unwrap();
-            assert_eq!((&stored.name, *family), (&method.name, done.solved.family));
+            assert_eq!((&stored.name, *family), (&method.name, done.solved.family()));
             assert_eq!(surface.mesh(6).unwrap(), done.mesh, "{}", stored.name);
             for format in Format::ALL {
                 let written = delivered.folder.join(format!("{}.{}", stored.file_name, format.ending()));
@@ -104,8 +104,8 @@ fn films_are_read_back_and_written_in_every_format() {
     assert!(delivered.refusals.is_empty(), "{:?}", delivered.refusals);
     let stored = StoredResult::read(&delivered.folder.join("result.json")).unwrap();
     let (surface, family) = stored.methods[0].surface.as_ref().unwrap();
-    let found = finished.results.methods[0].outcome.as_ref().unwrap();
-    let (Surface::Complex(ours), Surface::Complex(theirs)) = (surface, &found.solved.surface) else {
+    let found = finished.results.methods()[0].outcome.as_ref().unwrap();
+    let (Surface::Complex(ours), Surface::Complex(theirs)) = (surface, found.solved.surface()) else {
         panic!("{surface:?}")
     };
     assert_eq!((*family, ours.edges().len()), (Family::Complex, theirs.edges().len()));
@@ -130,7 +130,7 @@ fn meshes_hold_what_the_mesh_knows() {
     let plan = &plans()[0];
     let finished = run(plan, Options::default(), &()).unwrap();
     let delivered = deliver(plan, &finished, &folder.0).unwrap();
-    let mesh = &finished.results.methods[0].outcome.as_ref().unwrap().mesh;
+    let mesh = &finished.results.methods()[0].outcome.as_ref().unwrap().mesh;
     let read = |format: &str| fs::read(delivered.folder.join(format!("bernstein.{format}"))).unwrap();
     let coordinates: Vec<f64> = mesh.points.iter().flat_map(|p| [p.x, p.y, p.z]).collect();
 

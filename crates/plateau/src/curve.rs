@@ -213,12 +213,12 @@ mod tests {
     #[test]
     fn what_is_no_curve_is_refused() {
         let points = |z: f64| vec![Point::ZERO, Point::new(1.0, 0.0, z), Point::new(2.0, 1.0, 0.0)];
-        let curve = |samples: &[f64]| Curve::new(CurveBasis::Bernstein, points(0.5), samples.to_vec());
+        let curve = |samples: &[f64]| Curve::new(CurveBasis::BERNSTEIN, points(0.5), samples.to_vec());
         assert!(matches!(curve(&[0.0, 1.5]), Err(MethodError::Sample { t: 1.5, .. })));
         assert!(matches!(curve(&[f64::NAN]), Err(MethodError::Sample { .. })));
         assert!(matches!(curve(&[1.0]).unwrap().planar(), Err(MethodError::NotPlanar { index: 1 })));
-        assert!(Curve::new(CurveBasis::Aht { span: 1.0 }, points(0.0), vec![]).is_err());
-        assert!(Curve::new(CurveBasis::Bernstein, vec![], vec![]).is_err());
+        assert!(Curve::new(CurveBasis::aht(1.0).unwrap(), points(0.0), vec![]).is_err());
+        assert!(Curve::new(CurveBasis::BERNSTEIN, vec![], vec![]).is_err());
     }
 
     #[test]
@@ -226,21 +226,21 @@ mod tests {
         // (1 − 2t)² and (1 − 2t)³: the cusp is at t = 1/2, far from the origin.
         let third = 1_000.333_333_333_333_4;
         let points = [[1001.0, 101.0], [third, 99.0], [third, 101.0], [1001.0, 99.0]];
-        let result = sampled(CurveBasis::Bernstein, &points, 5).unwrap();
+        let result = sampled(CurveBasis::BERNSTEIN, &points, 5).unwrap();
         assert!(result.curvature[1].is_some() && result.curvature[3].is_some());
         assert_eq!(result.curvature[2], None, "{:?}", result.jets[2].d1);
     }
 
     #[test]
     fn a_point_is_no_curve_but_no_panic() {
-        let result = sampled(CurveBasis::Bernstein, &[[1.0, 2.0]; 2], 2).unwrap();
+        let result = sampled(CurveBasis::BERNSTEIN, &[[1.0, 2.0]; 2], 2).unwrap();
         assert_eq!((result.sharpest(), result.length[0]), (None, 0.0));
     }
 
     #[test]
     fn derivatives_beyond_double_precision_are_an_error() {
         let points = [[0.0, 0.0], [1e150, 0.0], [0.0, 1e150], [0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
-        let found = sampled(CurveBasis::At { span: 1e-100 }, &points, 3);
+        let found = sampled(CurveBasis::at(1e-100).unwrap(), &points, 3);
         assert!(matches!(found, Err(MethodError::Overflow { .. })));
     }
 
@@ -249,7 +249,7 @@ mod tests {
         let control = std::f64::consts::FRAC_PI_4;
         let (far, high) = (0.378_861_061_722_595_66, 1.273_239_544_735_162_7);
         let points = [[1.0, 0.0], [1.0, control], [far, high], [-far, high], [-1.0, control], [-1.0, 0.0]];
-        let result = sampled(CurveBasis::At { span: std::f64::consts::PI }, &points, 21).unwrap();
+        let result = sampled(CurveBasis::at(std::f64::consts::PI).unwrap(), &points, 21).unwrap();
         assert!((result.length[0] - std::f64::consts::PI).abs() < 1e-14);
         assert!(result.curvature.iter().all(|k| (k.unwrap() - 1.0).abs() < 1e-13));
     }

@@ -8,48 +8,78 @@ use bases::{Aht, At, Basis, BasisFamily, Bernstein, Gt};
 use crate::MethodError;
 use crate::curve_function::CurveEnd;
 
-/// The basis of a curve.
+/// The basis of a curve: a family with parameters that it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CurveBasis {
-    /// Bernstein polynomials on [0, 1].
+pub struct CurveBasis(Of);
+
+/// A family with its parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Of {
     Bernstein,
-    /// GT functions on [0, 1] (GT).
-    Gt {
-        /// Shape parameters (θ1, θ2), each in [0, 4], not both zero.
-        shape: [f64; 2],
-    },
-    /// Algebraic–hyperbolic–trigonometric functions of order 6 on [0, span] (AHT).
-    Aht {
-        /// Right end of the domain, below `bases::Aht::SUPREMUM`.
-        span: f64,
-    },
-    /// Algebraic–trigonometric functions of order 6 on [0, span] (AT).
-    At {
-        /// Right end of the domain, below `bases::At::SUPREMUM`, 2π.
-        span: f64,
-    },
+    Gt { shape: [f64; 2] },
+    Aht { span: f64 },
+    At { span: f64 },
 }
 
 impl CurveBasis {
+    /// Bernstein polynomials on [0, 1].
+    pub const BERNSTEIN: Self = Self(Of::Bernstein);
+
+    /// GT functions on [0, 1] with the shape parameters (θ1, θ2), each in [0, 4], not both zero (GT).
+    ///
+    /// # Errors
+    /// [`MethodError::Basis`] for others.
+    pub fn gt(shape: [f64; 2]) -> Result<Self, MethodError> {
+        Gt::new(*BasisFamily::Gt.degrees().start(), shape)?;
+        Ok(Self(Of::Gt { shape }))
+    }
+
+    /// Algebraic–hyperbolic–trigonometric functions of order 6 on [0, `span`], below [`Aht::SUPREMUM`](bases::Aht::SUPREMUM) (AHT).
+    ///
+    /// # Errors
+    /// [`MethodError::Basis`] for another span.
+    pub fn aht(span: f64) -> Result<Self, MethodError> {
+        Aht::new(span)?;
+        Ok(Self(Of::Aht { span }))
+    }
+
+    /// Algebraic–trigonometric functions of order 6 on [0, `span`], below [`At::SUPREMUM`](bases::At::SUPREMUM), 2π (AT).
+    ///
+    /// # Errors
+    /// [`MethodError::Basis`] for another span.
+    pub fn at(span: f64) -> Result<Self, MethodError> {
+        At::new(span)?;
+        Ok(Self(Of::At { span }))
+    }
+
+    /// The shape parameters of GT functions; none of other families.
+    #[must_use]
+    pub fn shape(&self) -> Option<[f64; 2]> {
+        match self.0 {
+            Of::Gt { shape } => Some(shape),
+            Of::Bernstein | Of::Aht { .. } | Of::At { .. } => None,
+        }
+    }
+
     /// The interval on which the basis lives.
     #[must_use]
     pub fn domain(&self) -> [f64; 2] {
-        match *self {
-            Self::Bernstein | Self::Gt { .. } => [0.0, 1.0],
-            Self::Aht { span } | Self::At { span } => [0.0, span],
+        match self.0 {
+            Of::Bernstein | Of::Gt { .. } => [0.0, 1.0],
+            Of::Aht { span } | Of::At { span } => [0.0, span],
         }
     }
 
     /// Its functions of degree `degree`, one more than the degree; AHT and AT have six whatever it is.
     ///
     /// # Errors
-    /// [`MethodError::Basis`] for a degree or parameters that the family does not have.
+    /// [`MethodError::Basis`] for a degree that the family does not have.
     pub fn functions(&self, degree: usize) -> Result<Arc<dyn Basis>, MethodError> {
-        Ok(match *self {
-            Self::Bernstein => Arc::new(Bernstein::new(degree)?),
-            Self::Gt { shape } => Arc::new(Gt::new(degree, shape)?),
-            Self::Aht { span } => Arc::new(Aht::new(span)?),
-            Self::At { span } => Arc::new(At::new(span)?),
+        Ok(match self.0 {
+            Of::Bernstein => Arc::new(Bernstein::new(degree)?),
+            Of::Gt { shape } => Arc::new(Gt::new(degree, shape)?),
+            Of::Aht { span } => Arc::new(Aht::new(span)?),
+            Of::At { span } => Arc::new(At::new(span)?),
         })
     }
 
@@ -57,12 +87,12 @@ impl CurveBasis {
     #[must_use]
     pub fn described(&self, degree: usize) -> String {
         let title = self.family().title();
-        match *self {
-            Self::Bernstein => format!("{title}, degree {degree}"),
-            Self::Gt { shape: [first, second] } => {
+        match self.0 {
+            Of::Bernstein => format!("{title}, degree {degree}"),
+            Of::Gt { shape: [first, second] } => {
                 format!("{title}, degree {degree}, θ = ({first}, {second})")
             }
-            Self::Aht { span } | Self::At { span } => format!("{title}, span {span}"),
+            Of::Aht { span } | Of::At { span } => format!("{title}, span {span}"),
         }
     }
 
@@ -73,13 +103,14 @@ impl CurveBasis {
     /// use plateau::{BasisFamily, CurveBasis};
     ///
     /// let bases = CurveBasis::of_family(BasisFamily::Gt, &[[0.5, 0.5], [1.0, 2.0]], &[])?;
-    /// assert_eq!(bases[1], CurveBasis::Gt { shape: [1.0, 2.0] });
+    /// assert_eq!(bases[1].shape(), Some([1.0, 2.0]));
     /// assert!(CurveBasis::of_family(BasisFamily::At, &[[0.5, 0.5]], &[]).is_err());
     /// # Ok::<(), plateau::MethodError>(())
     /// ```
     ///
     /// # Errors
-    /// [`MethodError::Parameters`] for shapes or spans that are no parameters of the family.
+    /// [`MethodError::Parameters`] for shapes or spans that are no parameters of the family, [`MethodError::Basis`] for values that it does
+    /// not have.
     pub fn of_family(
         family: BasisFamily,
         shapes: &[[f64; 2]],
@@ -90,35 +121,35 @@ impl CurveBasis {
         }
         let spans = |default: f64| if spans.is_empty() { vec![default] } else { spans.to_vec() };
         let shapes = if shapes.is_empty() { &[[1.0, 1.0]] } else { shapes };
-        Ok(match family {
-            BasisFamily::Bernstein => vec![Self::Bernstein],
-            BasisFamily::Gt => shapes.iter().map(|&shape| Self::Gt { shape }).collect(),
-            BasisFamily::Aht => spans(TAU).into_iter().map(|span| Self::Aht { span }).collect(),
-            BasisFamily::At => spans(PI).into_iter().map(|span| Self::At { span }).collect(),
-        })
+        match family {
+            BasisFamily::Bernstein => Ok(vec![Self::BERNSTEIN]),
+            BasisFamily::Gt => shapes.iter().copied().map(Self::gt).collect(),
+            BasisFamily::Aht => spans(TAU).into_iter().map(Self::aht).collect(),
+            BasisFamily::At => spans(PI).into_iter().map(Self::at).collect(),
+        }
     }
 
     /// The family, without parameters.
     #[must_use]
     pub fn family(&self) -> BasisFamily {
-        match self {
-            Self::Bernstein => BasisFamily::Bernstein,
-            Self::Gt { .. } => BasisFamily::Gt,
-            Self::Aht { .. } => BasisFamily::Aht,
-            Self::At { .. } => BasisFamily::At,
+        match self.0 {
+            Of::Bernstein => BasisFamily::Bernstein,
+            Of::Gt { .. } => BasisFamily::Gt,
+            Of::Aht { .. } => BasisFamily::Aht,
+            Of::At { .. } => BasisFamily::At,
         }
     }
 
     /// The six control points of the one curve in the space of the AHT or AT functions that has these ends. None for Bernstein and GT, whose
-    /// spaces depend on the degree, and for a span that the family does not have.
+    /// spaces depend on the degree.
     #[must_use]
     pub fn control_points(&self, [start, end]: [CurveEnd; 2]) -> Option<Vec<[f64; 3]>> {
         let coordinate = |d: usize| -> Option<[f64; 6]> {
             let jets = [start.map(|p| p[d]), end.map(|p| p[d])];
-            match *self {
-                Self::Aht { span } => Aht::new(span).ok().map(|basis| basis.control_values(jets)),
-                Self::At { span } => At::new(span).ok().map(|basis| basis.control_values(jets)),
-                Self::Bernstein | Self::Gt { .. } => None,
+            match self.0 {
+                Of::Aht { span } => Aht::new(span).ok().map(|basis| basis.control_values(jets)),
+                Of::At { span } => At::new(span).ok().map(|basis| basis.control_values(jets)),
+                Of::Bernstein | Of::Gt { .. } => None,
             }
         };
         let (x, y, z) = (coordinate(0)?, coordinate(1)?, coordinate(2)?);

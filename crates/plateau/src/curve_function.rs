@@ -95,7 +95,7 @@ mod tests {
         #[test]
         fn the_control_points_give_the_function_where_it_is_in_the_space(span in 0.01..6.0f64, share in 0.0..1.0f64) {
             let mut exact = 0;
-            for basis in [CurveBasis::Aht { span }, CurveBasis::At { span }] {
+            for basis in [CurveBasis::aht(span).unwrap(), CurveBasis::at(span).unwrap()] {
                 for (_, function) in CurveFunction::NAMES {
                     let points = basis.control_points([function.jet(0.0), function.jet(span)]).unwrap();
                     let points = points.into_iter().map(surfaces::Point::from).collect();
@@ -118,8 +118,8 @@ mod tests {
     #[test]
     fn what_is_not_in_the_space_is_not_given_by_it() {
         for (function, basis) in [
-            (CurveFunction::Spiral, CurveBasis::Aht { span: 5.0 }),
-            (CurveFunction::Catenary, CurveBasis::At { span: 5.0 }),
+            (CurveFunction::Spiral, CurveBasis::aht(5.0).unwrap()),
+            (CurveFunction::Catenary, CurveBasis::at(5.0).unwrap()),
         ] {
             let points = basis.control_points([function.jet(0.0), function.jet(5.0)]).unwrap();
             let points = points.into_iter().map(surfaces::Point::from).collect();
@@ -130,6 +130,6 @@ mod tests {
                     && found.point.distance(function.jet(2.5)[0].into()) > 1e-3
             );
         }
-        assert!(CurveBasis::Bernstein.control_points([CurveFunction::Circle.jet(0.0); 2]).is_none());
+        assert!(CurveBasis::BERNSTEIN.control_points([CurveFunction::Circle.jet(0.0); 2]).is_none());
     }
 }

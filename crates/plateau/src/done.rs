@@ -45,7 +45,7 @@ impl Done {
     /// ```
     ///
     /// # Errors
-    /// [`MethodError`] where a figure cannot be computed.
+    /// [`MethodError::Family`] if the family has no such surfaces, and others where a figure cannot be computed.
     pub fn of(surface: Surface, family: Family) -> Result<Self, MethodError> {
         let mesh = surface.mesh(Context::new(0).mesh)?;
         let figures = match &surface {
@@ -64,18 +64,14 @@ impl Done {
             Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
             Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
         };
-        Ok(Self::given(surface, family, None, (mesh, figures, boundary)))
+        Ok(Self::given(Solved::given(surface, family)?, (mesh, figures, boundary)))
     }
 
     /// A surface that was given, with what was measured of it, and the warnings that follow.
     pub(crate) fn given(
-        surface: Surface,
-        family: Family,
-        shape: Option<Vec<f64>>,
+        solved: Solved,
         (mesh, figures, boundary): (Mesh, Figures, Option<BoundaryFigures>),
     ) -> Self {
-        let solved =
-            Solved { surface, family, minimised: None, shape, solve: None, area: None, search: None };
         let warnings = trust::warnings(&solved, &figures, &Search::default());
         Self {
             solved,

@@ -2,7 +2,7 @@ use bases::BasisFamily;
 use surfaces::Point;
 use thiserror::Error;
 
-use crate::{CuttingError, Degeneracy, DegreeLimit, Direction, Notation};
+use crate::{CuttingError, Degeneracy, DegreeLimit, Direction, Family, Notation};
 
 /// Why a method found no patch.
 #[derive(Debug, Error)]
@@ -187,6 +187,14 @@ pub enum MethodError {
         /// The family.
         family: BasisFamily,
     },
+    /// A surface of another kind than its family has.
+    #[error("{surface} is no surface that \"{}\" with basis \"{}\" makes", family.names().0, family.names().1)]
+    Family {
+        /// What it is.
+        surface: &'static str,
+        /// The family.
+        family: Family,
+    },
     /// A parameter at which a curve is not defined.
     #[error("the curve lives between {start} and {end}, and has no point at {t}")]
     Sample {
@@ -300,6 +308,7 @@ impl MethodError {
             | Self::Cancellation { .. }
             | Self::Setting { .. }
             | Self::Parameters { .. }
+            | Self::Family { .. }
             | Self::Sample { .. }
             | Self::NotPlanar { .. }
             | Self::Cuts { .. }

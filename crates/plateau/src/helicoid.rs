@@ -164,9 +164,7 @@ fn finish(
     let closed_form = Some(ClosedForm { deviation: deviation(&pieces), weights });
     let mesh = Mesh::of(&pieces, subdivisions);
     let figures = Figures::of(&pieces, &mesh)?;
-    let surface = Surface::Pieces(pieces);
-    let solved =
-        Solved { surface, family, minimised: None, shape: None, solve: None, area: None, search: None };
+    let solved = Solved::given(Surface::Pieces(pieces), family)?;
     warnings.extend(trust::warnings(&solved, &figures, &Search::default()));
     Ok(Done {
         solved,

@@ -38,8 +38,8 @@
 //! | methods | [`Method`], its [`Filling`]; [`Functions`], [`FixedShape`], [`Family`], [`ShapedFamily`]; [`TensorInterior`], [`TriangleInterior`], [`TriangleMask`], [`SolverChoice`], [`ReferenceTriangle`], [`Conditioning`], [`nonnegative_shapes()`], [`BasisFamily`]; [`Energy`], [`SearchEnergy`], [`Functional`]; [`MethodFault`], [`DegreeLimit`], [`Cost`], [`TOLERANCES`], [`MAX_METRIC_STEPS`] |
 //! | numbers for people | [`Notation`], [`counted()`], [`rough_duration()`] |
 //! | running one | [`Context`], [`Arithmetic`], [`MethodError`] with its [`MethodFailure`] |
-//! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] |
-//! | results | [`Results`] with a [`Remark`] on the whole, [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
+//! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] with its [`Swarm`] |
+//! | results | [`Results`] with each [`Remark`] on the whole, [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
 //! | figures | [`Figures`], [`BoundaryFigures`], [`FilmFigures`], [`Seams`], [`Kink`]; [`Quantity`] with its [`Bearer`], [`Measured`]; [`ClosedForm`] |
 //! | least areas | [`least_area_from()`], [`least_area_raised()`], [`least_area_triangle_from()`], [`least_area_triangle_raised()`], [`least_area_complex()`], [`least_area_complex_near()`], [`dirichlet_complex()`]; [`AreaExtremal`], [`Mode`], [`AreaEnd`], [`ValleyEnd`], [`Start`], [`Stage`] |
 //! | how far from the least | [`estimate_net()`], [`estimate_triangle()`], [`estimate_complex()`], [`AreaEstimate`], [`NoEstimate`]; [`excess_of_net()`], [`excess_of_triangle()`], [`excess_of_complex()`] |
@@ -149,10 +149,12 @@ pub use quantity::{Bearer, Measured, Quantity};
 pub use remark::Remark;
 pub use seams::{Kink, Seams};
 pub use search::{
-    MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchFault, SearchMode, SearchOutcome, SearchRun, Variant,
+    MAX_SEARCH_BUDGET, ReducedEnergy, Search, SearchFault, SearchMode, SearchOutcome, SearchRun, Swarm,
+    Variant,
 };
 pub use slender::CutGain;
 pub use solve::solve;
+pub(crate) use solved::Interior;
 pub use solved::{SolveFigures, Solved};
 pub use surface::Surface;
 pub use surfaces::{ShapedFamily, TriangleMask};

@@ -2,7 +2,10 @@
 
 use surfaces::{Net, Point, TensorPatch, anchor};
 
-use crate::{BoundaryFigures, Done, Family, Figures, FixedShape, MethodError, MethodResult, Surface, memory};
+use crate::{
+    BoundaryFigures, Done, Family, Figures, FixedShape, Interior, MethodError, MethodResult, Solved, Surface,
+    memory,
+};
 
 /// A net of control points, all of them given, and the functions in which it is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +21,7 @@ impl OwnNet {
     /// [`MethodError::Surface`], [`MethodError::Basis`] unless there are as many functions in each direction as points.
     pub fn new(points: Net, basis: NetBasis) -> Result<Self, MethodError> {
         let own = Self { points, basis };
-        surface(&own, anchor(own.points.points()))?;
+        solved(&own, anchor(own.points.points()))?;
         Ok(own)
     }
 
@@ -95,38 +98,32 @@ pub fn of_net(own: &OwnNet, mesh: usize) -> MethodResult {
 fn measured(own: &OwnNet, subdivisions: usize) -> Result<Done, MethodError> {
     memory::holds(memory::of_mesh(subdivisions))?;
     let origin = anchor(own.points.points());
-    let (near, family, shape) = surface(own, origin)?;
+    let near = solved(own, origin)?;
+    let near = near.surface();
     let mut mesh = near.mesh(subdivisions)?;
     let patches: Vec<&dyn surfaces::Patch> = near.patch().into_iter().collect();
     let figures = Figures::of_moved(&patches, &mesh, origin.norm())?;
-    let boundary = match &near {
+    let boundary = match near {
         Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
         Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
     };
     mesh.points.iter_mut().for_each(|p| *p += origin);
-    let (surface, ..) = surface(own, Point::ZERO)?;
-    Ok(Done::given(surface, family, shape, (mesh, figures, boundary)))
+    Ok(Done::given(solved(own, Point::ZERO)?, (mesh, figures, boundary)))
 }
 
 /// The surface as it lies `origin` away from where it was given.
-fn surface(own: &OwnNet, origin: Point) -> Result<(Surface, Family, Option<Vec<f64>>), MethodError> {
+fn solved(own: &OwnNet, origin: Point) -> Result<Solved, MethodError> {
     let points = own.points.points().iter().map(|&p| p - origin).collect();
     let net = Net::new(own.points.rows(), own.points.cols(), points)?;
-    let pieces = |patch: TensorPatch, cuts: &[Vec<f64>; 2]| -> Result<Surface, MethodError> {
-        Ok(Surface::Pieces(patch.cut([&cuts[0], &cuts[1]])?))
+    let tensor = |patch, shape| Solved::tensor(patch, shape, Interior::Constructed(None));
+    let pieces = |patch: TensorPatch, cuts: &[Vec<f64>; 2], family| {
+        Solved::given(Surface::Pieces(patch.cut([&cuts[0], &cuts[1]])?), family)
     };
     Ok(match &own.basis {
-        NetBasis::Bernstein => (Surface::Tensor(TensorPatch::bernstein(net)?), Family::Bernstein, None),
-        NetBasis::Shaped(shape) => {
-            let patch = shape.family().patch(net, shape.parameters())?;
-            (Surface::Tensor(patch), Family::Shaped(shape.family()), Some(shape.parameters().to_vec()))
-        }
-        NetBasis::Aht(OrderSix { spans, cuts }) => {
-            (pieces(TensorPatch::aht(net, *spans)?, cuts)?, Family::Aht, None)
-        }
-        NetBasis::At(OrderSix { spans, cuts }) => {
-            (pieces(TensorPatch::at(net, *spans)?, cuts)?, Family::At, None)
-        }
+        NetBasis::Bernstein => tensor(TensorPatch::bernstein(net)?, None),
+        NetBasis::Shaped(shape) => tensor(shape.patch(net)?, Some(shape)),
+        NetBasis::Aht(OrderSix { spans, cuts }) => pieces(TensorPatch::aht(net, *spans)?, cuts, Family::Aht)?,
+        NetBasis::At(OrderSix { spans, cuts }) => pieces(TensorPatch::at(net, *spans)?, cuts, Family::At)?,
     })
 }
 
@@ -161,7 +158,7 @@ mod tests {
         let whole = of_net(&net_of(&patch, [vec![], vec![]], [1.5, 6.0]), 24).outcome.unwrap();
         for (cuts, pieces) in [([vec![], vec![]], 1), ([vec![0.5], vec![1.0, 4.5]], 6)] {
             let done = of_net(&net_of(&patch, cuts, [1.5, 6.0]), 24).outcome.unwrap();
-            let Surface::Pieces(found) = &done.solved.surface else { panic!() };
+            let Surface::Pieces(found) = done.solved.surface() else { panic!() };
             assert_eq!(found.patches().len(), pieces);
             assert!(helicoid.deviation(found, 24) < 1e-13);
             assert!((done.figures.area.value / whole.figures.area.value - 1.0).abs() < 1e-13);

@@ -98,7 +98,7 @@ quantities! {
         |done, _| done.figures.quadratic(Functional::Coons).map(Into::into);
     MetricDirichlet = "metric-dirichlet", "metric_dirichlet", 2,
         "D^g of metric corrections, the Dirichlet energy in the metric of the surface before the last; at least 2·area; length²",
-        |done, _| done.solved.solve?.metric.map(Into::into);
+        |done, _| done.solved.solve()?.metric.map(Into::into);
     ConformalityGap = "conformality-gap", "conformality_gap", 0, "(D − A)/A, 0 exactly for conformal charts",
         |done, _| done.figures.conformality_gap.map(Into::into);
     MeanCurvatureMax = "mean-curvature-max", "mean_curvature.max_abs", (-1), "the largest |H| at the vertices of the mesh, 1/length",
@@ -106,7 +106,7 @@ quantities! {
     MeanCurvatureRms = "mean-curvature-rms", "mean_curvature.rms", (-1), "the root mean square of H over the area, 1/length",
         |done, _| done.figures.mean_curvature_rms.map(Into::into);
     Residual = "residual", "residual", 0, "the scaled residual of the linear system: about 1 is rounding, above 30 a failure",
-        |done, _| done.solved.solve.map(|solve| solve.residual.into());
+        |done, _| done.solved.solve().map(|solve| solve.residual.into());
     BoundaryDeviation = "boundary-deviation", "boundary_deviation", 1,
         "the largest distance of the boundary curves from the Bernstein curves of the same net, length",
         |done, _| done.boundary.map(|boundary| boundary.deviation.into());
@@ -120,24 +120,24 @@ quantities! {
         |done, _| done.closed_form.map(|form| form.deviation.into());
     Kink = "kink", "kink.max", 0,
         "the largest angle between the tangent planes of two patches along an edge where they should meet smoothly, radians",
-        |done, _| done.film.as_ref()?.seams.kink.map(|kink| kink.max.into());
+        |done, _| done.film.as_ref()?.seams().kink.map(|kink| kink.max.into());
     RimDeviation = "rim-deviation", "rim_deviation", 1,
         "how far the rim of a surface over loops or faces lies from the curves that were given, length",
-        |done, _| done.film.as_ref().map(|film| film.rim.largest.into());
+        |done, _| done.film.as_ref().map(|film| film.rim().largest.into());
     JacobianRatio = "jacobian-ratio", "jacobian_ratio", 0,
         "the least over the mean of the area that a piece of the parameters becomes, of least areas and of surfaces of several patches",
         |done, _| match &done.film {
-            Some(film) => Some(film.seams.jacobian_ratio.into()),
-            None => done.solved.area.as_ref().map(|found| found.jacobian_ratio.into()),
+            Some(film) => Some(film.seams().jacobian_ratio.into()),
+            None => done.solved.area().map(|found| found.jacobian_ratio.into()),
         };
     SpannedOneByOne = "spanned-one-by-one", "spanned_one_by_one", 2,
         "the least area of two loops, each spanned by itself, length²",
-        |done, _| done.film.as_ref()?.one_by_one.map(Into::into);
+        |done, _| done.film.as_ref()?.one_by_one().map(Into::into);
     Shape[k] = "shape", "shape", 0, "the shape parameters: one number for all of them, or a list",
-        |done, index| done.solved.shape.as_ref().and_then(|shape| shape.get(index).copied()).map(Into::into);
+        |done, index| done.solved.shape().and_then(|shape| shape.get(index).copied()).map(Into::into);
     SearchMinimum = "search-minimum", "search.minimum", searched,
         "the least best value of the search's runs: of energies length², of the conformality gap a number",
-        |done, _| done.solved.search.as_ref().map(|search| search.minimum.into());
+        |done, _| done.solved.search().map(|search| search.minimum().into());
     Curvature[k] = "curvature", "curvature", (-1),
         "the curvature of a curve at its samples: one number for all, or a list; signed for planar curves", |_, _| None;
 }
@@ -286,7 +286,7 @@ impl Quantity {
     /// ```
     #[must_use]
     pub fn power_in(self, done: &Done) -> Option<i32> {
-        self.power().or_else(|| Self::of_search(done.solved.search.as_ref()?.energy).power())
+        self.power().or_else(|| Self::of_search(done.solved.search()?.energy()).power())
     }
 
     /// What it is, with its unit.

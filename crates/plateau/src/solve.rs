@@ -8,10 +8,10 @@ use crate::method::patch_of;
 use crate::search::search;
 use crate::slender::gain_of_cutting;
 use crate::{
-    AreaExtremal, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Fill, FillEnergy,
-    Filling, FixedShape, Functions, Loop, Method, MethodError, Progress, SolveFigures, Solved, Surface,
-    TensorBoundary, TensorInterior, Warning, least_area_from, least_area_raised, lower_bound_of_net, memory,
-    trust,
+    AreaExtremal, Boundary, BoundaryFigures, Context, Done, Energy, Family, Figures, Fill, Filling,
+    FixedShape, Functional, Functions, Interior, Loop, Method, MethodError, Progress, SolveFigures, Solved,
+    Surface, TensorBoundary, TensorInterior, Warning, least_area_from, least_area_raised, lower_bound_of_net,
+    memory, trust,
 };
 
 /// A surface that loses more than this share of its size to cancellation is not one.
@@ -37,32 +37,30 @@ pub fn solve(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Res
     }
     let given = boundary;
     let (boundary, origin) = boundary.anchored();
-    let near = |solved: &&Solved| {
-        Ok(Solved { surface: solved.surface.clone().moved(-origin)?, ..(*solved).clone() })
-    };
+    let near = |solved: &&Solved| (*solved).clone().moved(-origin);
     let at_hand = context.at_hand.iter().map(near).collect::<Result<Vec<Solved>, MethodError>>()?;
     let at_hand: Vec<&Solved> = at_hand.iter().collect();
-    let mut solved = solved(&boundary, method, &Context { at_hand: &at_hand, ..*context })?;
-    let cancellation = solved.surface.cancellation();
+    let solved = solved(&boundary, method, &Context { at_hand: &at_hand, ..*context })?;
+    let cancellation = solved.surface().cancellation();
     if cancellation > WORST_CANCELLATION {
-        return Err(MethodError::Cancellation { degrees: solved.surface.degrees(), share: cancellation });
+        return Err(MethodError::Cancellation { degrees: solved.surface().degrees(), share: cancellation });
     }
-    let mut mesh = solved.surface.mesh(context.mesh)?;
+    let mut mesh = solved.surface().mesh(context.mesh)?;
     context.progress.begin(&format!("figures of {}", method.name()), None);
     let figures = figures(&solved, &mesh, origin);
     context.progress.end();
     let figures = figures?;
-    let boundary = match &solved.surface {
+    let boundary = match solved.surface() {
         Surface::Tensor(patch) => Some(BoundaryFigures::of(patch)?),
         Surface::Triangle(_) | Surface::Pieces(_) | Surface::Complex(_) => None,
     };
     let mut warnings = trust::warnings(&solved, &figures, &context.search);
     let estimate =
-        estimated((&solved.surface, solved.family, solved.area.as_ref()), &mut warnings, context.progress)?;
+        estimated((solved.surface(), solved.family(), solved.area()), &mut warnings, context.progress)?;
     warnings.extend(of_cutting(method, &solved, context.progress)?);
-    solved.surface = solved.surface.moved(origin)?;
+    let solved = solved.moved(origin)?;
     mesh.points.iter_mut().for_each(|p| *p += origin);
-    let bound = match (&solved.surface, method.filling()) {
+    let bound = match (solved.surface(), method.filling()) {
         (
             Surface::Tensor(patch),
             Filling::Tensor { interior: TensorInterior::LeastArea { bound: true, .. }, .. },
@@ -100,7 +98,7 @@ fn around_corners(
     context.progress.begin(&format!("least area of {}", method.name()), None);
     let film = fill.with_degree(m.max(n) + method.raise()).loops(&[around], context.progress);
     context.progress.end();
-    Ok(film?.into_done(FillEnergy::Area))
+    Ok(film?.into_done())
 }
 
 /// What a patch of least area over a slender border would gain by being cut.
@@ -116,7 +114,7 @@ fn of_cutting(
         },
         Surface::Tensor(patch),
         Some(found),
-    ) = (method.filling(), &solved.surface, &solved.area)
+    ) = (method.filling(), solved.surface(), solved.area())
     else {
         return Ok(None);
     };
@@ -128,9 +126,9 @@ fn of_cutting(
 
 /// The figures of a patch that lies `origin` away from where its boundary was given; of what was minimised, whatever it was.
 fn figures(solved: &Solved, mesh: &Mesh, origin: Point) -> Result<Figures, MethodError> {
-    let patches: Vec<&dyn surfaces::Patch> = solved.surface.patch().into_iter().collect();
+    let patches: Vec<&dyn surfaces::Patch> = solved.surface().patch().into_iter().collect();
     let figures = Figures::of_moved(&patches, mesh, origin.norm())?;
-    Ok(match solved.minimised {
+    Ok(match solved.minimised() {
         Some(Energy::Quadratic(functional)) => figures.with_minimised(functional, &patches)?,
         Some(Energy::Area) | None => figures,
     })
@@ -149,10 +147,9 @@ fn of_least_area(
     let family = shape.map_or(Family::Bernstein, |shape| Family::Shaped(shape.family()));
     let mut starts = Vec::new();
     for solved in context.at_hand {
-        let Surface::Tensor(other) = &solved.surface else { continue };
+        let Surface::Tensor(other) = solved.surface() else { continue };
         let (k, l) = other.net().degrees();
-        let has_functions =
-            solved.family == family && solved.shape.as_deref() == shape.map(FixedShape::parameters);
+        let has_functions = solved.family() == family && solved.shape() == shape.map(FixedShape::parameters);
         if !has_functions || k > m || n.checked_sub(l) != Some(m - k) {
             continue;
         }
@@ -172,18 +169,7 @@ fn of_least_area(
 fn solved(boundary: &Boundary, method: &Method, context: &Context<'_>) -> Result<Solved, MethodError> {
     match (method.filling(), boundary) {
         (Filling::Triangle(interior), Boundary::Triangle(sides)) => {
-            let (patch, solve, area) =
-                triangle::solve(method, *interior, sides, context.at_hand, context.progress)?;
-            let (surface, minimised) = (Surface::Triangle(patch), method.minimised());
-            Ok(Solved {
-                surface,
-                family: Family::Triangle,
-                minimised,
-                shape: None,
-                solve,
-                area,
-                search: None,
-            })
+            triangle::solve(method, *interior, sides, context.at_hand, context.progress)
         }
         (Filling::Triangle(_), Boundary::Tensor(_) | Boundary::Opposite(_)) => {
             Err(MethodError::Sides { needs: "three sides", given: boundary.sides() })
@@ -208,37 +194,31 @@ fn of_tensor(
         Functions::Shaped(shape) => (Some(shape.clone()), None),
         Functions::Searched { family, mode, energy } => {
             let outcome = search(&net, method.name(), (*family, *energy), interior, *mode, context)?;
-            (Some(FixedShape::new(*family, outcome.shape.clone())?), Some(outcome))
+            (Some(FixedShape::new(*family, outcome.shape().to_vec())?), Some(outcome))
         }
     };
     let shape = shape.as_ref();
     let patch = patch_of(net, shape)?;
-    let linear = |(patch, figures): (TensorPatch, SolveFigures)| (patch, Some(figures), None);
-    let (patch, solve, area) = match interior {
+    let extremal_of = |functional, (patch, figures): (TensorPatch, SolveFigures)| {
+        (patch, Interior::Extremal(functional, Some(figures)))
+    };
+    let (patch, interior) = match interior {
         TensorInterior::Extremal { energy, solver } => {
-            linear(extremal::solve(&patch, energy, solver, shape)?)
+            extremal_of(energy, extremal::solve(&patch, energy, solver, shape)?)
         }
         TensorInterior::MetricCorrections { steps, solver } => {
-            linear(extremal::corrected(&patch, steps, solver, shape)?)
+            extremal_of(Functional::Dirichlet, extremal::corrected(&patch, steps, solver, shape)?)
         }
         TensorInterior::LeastArea { tolerance, .. } => {
             context.progress.begin(&format!("least area of {}", method.name()), None);
             let found = of_least_area(boundary, method.raise(), &patch, shape, tolerance, context);
             context.progress.end();
             let (patch, found) = found?;
-            (patch, None, Some(found))
+            (patch, Interior::LeastArea(Box::new(found)))
         }
         TensorInterior::Mask { .. } | TensorInterior::DiscreteCoons | TensorInterior::Harmonic => {
-            (patch, construction, None)
+            (patch, Interior::Constructed(construction))
         }
     };
-    Ok(Solved {
-        surface: Surface::Tensor(patch),
-        family: functions.family(),
-        minimised: interior.minimised(),
-        shape: shape.map(|shape| shape.parameters().to_vec()),
-        solve,
-        area,
-        search,
-    })
+    Ok(Solved::tensor(patch, shape, interior).searched(search))
 }

@@ -28,6 +28,16 @@ impl Surface {
         }
     }
 
+    /// What it lies on, in words.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Self::Tensor(_) => "a rectangular net",
+            Self::Triangle(_) => "a triangular net",
+            Self::Pieces(_) => "a surface in pieces",
+            Self::Complex(_) => "a surface of faces that share edges",
+        }
+    }
+
     /// Share of the size of the boundary that rounding takes of the points of the surface: where free control points lie far
     /// beyond the boundary, the surface is what their differences leave.
     pub fn cancellation(&self) -> f64 {

@@ -19,20 +19,20 @@ const ON_THE_WALL: f64 = 1e-9;
 /// The warnings of one method.
 pub(crate) fn warnings(solved: &Solved, figures: &Figures, search: &Search) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    if let Some(outcome) = &solved.search {
-        of_search(outcome, solved.family.parameters(), search, &mut warnings);
+    if let Some(outcome) = solved.search() {
+        of_search(outcome, solved.family().parameters(), search, &mut warnings);
     }
-    if let Some(solve) = &solved.solve {
+    if let Some(solve) = solved.solve() {
         of_solve(solve, &mut warnings);
         if let Some(share) = solve.left_out.filter(|share| *share > CANCELLING) {
             warnings.push(Warning::LeftOut { share });
         }
     }
-    let share = solved.surface.cancellation();
+    let share = solved.surface().cancellation();
     if share > CANCELLING {
         warnings.push(Warning::Cancellation { share });
     }
-    if let Some(found) = &solved.area {
+    if let Some(found) = solved.area() {
         of_least_area(found, &mut warnings);
     }
     of_figures(figures, &mut warnings);
@@ -53,7 +53,7 @@ fn of_search(outcome: &SearchOutcome, names: &[&'static str], search: &Search, w
         let parameters: Vec<&str> = names
             .iter()
             .copied()
-            .zip(&outcome.shape)
+            .zip(outcome.shape())
             .filter(|(_, x)| (*x - bound).abs() <= ON_THE_WALL * (upper - lower))
             .map(|(name, _)| name)
             .collect();
@@ -61,17 +61,17 @@ fn of_search(outcome: &SearchOutcome, names: &[&'static str], search: &Search, w
             warnings.push(Warning::BoxBinds { parameters, bound });
         }
     }
-    let of = outcome.runs.len();
-    let runs = outcome.runs.iter().filter(|run| run.polish.is_some() && !run.is_stationary()).count();
+    let of = outcome.runs().len();
+    let runs = outcome.runs().iter().filter(|run| run.polish().is_some() && !run.is_stationary()).count();
     if runs > 0 {
         warnings.push(Warning::NotStationary { runs, of });
     }
-    let runs = outcome.runs.iter().filter(|run| run.on_budget).count();
+    let runs = outcome.runs().iter().filter(|run| run.on_budget()).count();
     if runs > 0 {
         warnings.push(Warning::Budget { runs, of, spread: outcome.spread() });
     }
-    if outcome.nan_evaluations > 0 {
-        let (failed, of) = (outcome.nan_evaluations, outcome.evaluations);
+    if outcome.nan_evaluations() > 0 {
+        let (failed, of) = (outcome.nan_evaluations(), outcome.evaluations());
         warnings.push(Warning::FailedEvaluations { failed, of });
     }
 }

@@ -151,7 +151,7 @@ fn four_sides_with_a_layer_are_a_film() {
         .expect("a method");
     let done = solve(&Boundary::Tensor(frame.expect("sides")), &method, &Context::new(0)).expect("a surface");
     let film = filled(Fill::default().with_degree(4).with_layers(1).with_bound(true), saddle());
-    let Surface::Complex(complex) = &done.solved.surface else { panic!("several patches") };
+    let Surface::Complex(complex) = done.solved.surface() else { panic!("several patches") };
     assert_eq!((complex.faces().len(), complex.degree()), (film.complex.faces().len(), 4));
     assert!((done.figures.area.value / film.figures.area.value - 1.0).abs() < 1e-14);
     assert!(done.bound.is_some_and(|bound| bound.value < SADDLE) && done.film.is_some());

@@ -23,7 +23,7 @@ use record::RunRecord;
 pub const CHECKPOINT_FILE: &str = "checkpoint";
 
 /// The version of the layout.
-const SCHEMA: &str = "plateau-checkpoint/1";
+const SCHEMA: &str = "plateau-checkpoint/2";
 
 /// Largest size in bytes of a checkpoint that is read.
 const LARGEST_FILE: u64 = 1 << 30;
@@ -210,7 +210,7 @@ impl Keeper for Checkpoint {
 
     fn keep(&self, method: usize, run: &SearchRun) {
         let mut state = self.lock();
-        state.runs.insert((method, run.index), run.clone());
+        state.runs.insert((method, run.index()), run.clone());
         self.unwritten.store(true, Ordering::Relaxed);
         self.write_if_due(&mut state);
     }

@@ -125,7 +125,7 @@ impl Delivery<'_> {
 
     /// Every surface in every format that was asked for.
     fn surfaces(&mut self) -> Result<(), DeliverError> {
-        let methods = &self.finished.results.methods;
+        let methods = self.finished.results.methods();
         let names = file_names(methods.iter().map(|method| method.name.as_str()));
         for (k, (method, name)) in methods.iter().zip(&names).enumerate() {
             let Ok(done) = &method.outcome else { continue };
@@ -148,7 +148,7 @@ impl Delivery<'_> {
             self.record.add_unwritten(&file);
             return Ok(());
         }
-        let (surface, family) = (&done.solved.surface, done.solved.family);
+        let (surface, family) = (done.solved.surface(), done.solved.family());
         let named = Named { name, surface, family, mesh: &done.mesh };
         let destination = Destination::own(self.folder.join(&file));
         match export::write(format, named, self.plan.output.step, &destination) {
@@ -172,14 +172,14 @@ impl Delivery<'_> {
         let finished = self.finished;
         let mut listed: Vec<String> =
             std::iter::once(RESULT_FILE).chain(self.record.files()).map(str::to_owned).collect();
-        if !finished.results.curves.is_empty() {
-            self.keep(CURVE_FILE, &|out| write_curves(&finished.results.curves, out))?;
+        if !finished.results.curves().is_empty() {
+            self.keep(CURVE_FILE, &|out| write_curves(finished.results.curves(), out))?;
             listed.push(CURVE_FILE.to_owned());
         }
         if self.plan.output.formats.contains(&Format::Glb)
             && let Some((helicoid, catenoid, weights)) = deformation(finished)
         {
-            let title = &finished.results.title;
+            let title = finished.results.title();
             self.keep(DEFORMATION_FILE, &|out| write_deformation(title, helicoid, catenoid, &weights, out))?;
             listed.push(DEFORMATION_FILE.to_owned());
         }
@@ -241,7 +241,7 @@ fn about<'a>(
         let verdict = if met { Verdict::Met } else { Verdict::Missed };
         Comparison { name, quantity: expected.quantity, text: &expected.text, ours, verdict }
     });
-    let printed = finished.results.methods.iter().zip(&finished.wanted).flat_map(|(method, wanted)| {
+    let printed = finished.results.methods().iter().zip(&finished.wanted).flat_map(|(method, wanted)| {
         wanted.published.iter().map(|published| {
             let reason = published.reason.as_ref().map_or(String::new(), |reason| format!(" ({reason})"));
             let verdict = Verdict::Printed(format!("printed in {}{reason}", published.source));
@@ -262,7 +262,7 @@ fn about<'a>(
 /// The meshes of right helicoid and catenoid, and the weights of every frame, if the experiment is a deformation and no
 /// frame failed.
 fn deformation(finished: &Finished) -> Option<(&Mesh, &Mesh, Vec<[f64; 2]>)> {
-    let frames = finished.results.methods.get(1..).filter(|frames| frames.len() > 1)?;
+    let frames = finished.results.methods().get(1..).filter(|frames| frames.len() > 1)?;
     let done: Vec<&Done> = frames.iter().map(|f| f.outcome.as_deref().ok()).collect::<Option<_>>()?;
     let weights = done.iter().map(|done| done.closed_form?.weights).collect::<Option<_>>()?;
     Some((&done.first()?.mesh, &done.last()?.mesh, weights))

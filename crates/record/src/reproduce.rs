@@ -103,8 +103,8 @@ impl Reproduction {
 
     fn add(&mut self, file: &str, finished: &Finished) {
         let results = &finished.results;
-        for (method, wanted) in results.methods.iter().zip(&finished.wanted) {
-            let entry = |published: &Published| entry(file, &results.title, method, published);
+        for (method, wanted) in results.methods().iter().zip(&finished.wanted) {
+            let entry = |published: &Published| entry(file, results.title(), method, published);
             self.entries.extend(wanted.published.iter().map(entry));
         }
         self.expected += finished.expected();

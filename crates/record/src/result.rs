@@ -72,21 +72,21 @@ impl ResultFile {
     /// The record of an experiment: the plan and what came of it.
     pub fn new(plan: &Plan, finished: &Finished) -> Self {
         let results = &finished.results;
-        let methods = results.methods.iter().map(MethodEntry::of).collect();
+        let methods = results.methods().iter().map(MethodEntry::of).collect();
         Self {
             schema: SCHEMA.to_owned(),
-            title: results.title.clone(),
+            title: results.title().to_owned(),
             seed: finished.seed,
             methods,
-            curve: match results.curves.as_slice() {
+            curve: match results.curves() {
                 [curve] => Some(CurveEntry::new(curve)),
                 _ => None,
             },
-            curves: match results.curves.as_slice() {
+            curves: match results.curves() {
                 [_] => Vec::new(),
                 curves => curves.iter().map(CurveEntry::new).collect(),
             },
-            warnings: results.warnings.iter().map(ToString::to_string).collect(),
+            warnings: results.remarks().iter().map(ToString::to_string).collect(),
             missed: finished.missed().into_iter().map(missed_entry).collect(),
             files: Vec::new(),
             unwritten: Vec::new(),

@@ -113,7 +113,8 @@ impl StoredMethod {
     /// A method that was just run, as it would be read back.
     #[must_use]
     pub fn of(result: &MethodResult) -> Self {
-        let surface = result.outcome.as_ref().map(|done| (done.solved.surface.clone(), done.solved.family));
+        let surface =
+            result.outcome.as_ref().map(|done| (done.solved.surface().clone(), done.solved.family()));
         let file_name = file_names(std::iter::once(result.name.as_str())).swap_remove(0);
         Self { name: result.name.clone(), file_name, surface: surface.map_err(ToString::to_string) }
     }

@@ -122,11 +122,11 @@ fn record(plan: &Plan, finished: &Finished, unwritten: Option<&Value>) -> Result
     let unwritten = unwritten.and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
     let mut record = ResultFile::new(plan, finished);
     let names =
-        crate::file_name::file_names(finished.results.methods.iter().map(|method| method.name.as_str()));
-    for (k, (method, name)) in finished.results.methods.iter().zip(&names).enumerate() {
+        crate::file_name::file_names(finished.results.methods().iter().map(|method| method.name.as_str()));
+    for (k, (method, name)) in finished.results.methods().iter().zip(&names).enumerate() {
         let Ok(done) = &method.outcome else { continue };
         for &format in &plan.output.formats {
-            let (surface, family) = (&done.solved.surface, done.solved.family);
+            let (surface, family) = (done.solved.surface(), done.solved.family());
             let named = Named { name: &method.name, surface, family, mesh: &done.mesh };
             let file = surface_file(name, format);
             if unwritten.iter().any(|name| name.as_str() == Some(&file)) {

@@ -1,6 +1,6 @@
 //! Surfaces of several faces, read back.
 
-use plateau::{Fill, FillEnergy, Loop, MethodResult, Surface};
+use plateau::{Fill, Loop, MethodResult, Surface};
 use record::{SCHEMA, StoredMethod, StoredResult, method_record};
 use surfaces::{Complex, Point};
 
@@ -13,7 +13,7 @@ fn pentagon() -> MethodResult {
         })
         .collect();
     let film = Fill::default().with_degree(3).loops(&[Loop::polygon(&corners).unwrap()], &()).unwrap();
-    MethodResult { name: "film".into(), outcome: Ok(Box::new(film.into_done(FillEnergy::Area))) }
+    MethodResult { name: "film".into(), outcome: Ok(Box::new(film.into_done())) }
 }
 
 fn parsed(entry: &str) -> Result<StoredMethod, String> {

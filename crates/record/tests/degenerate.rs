@@ -28,11 +28,11 @@ fn finished(path: &Path) -> (Plan, Finished) {
 
 /// What is said of a finished experiment: its own warnings, and "name: …" for those of its methods and their errors.
 fn said(finished: &Finished) -> Vec<String> {
-    let of_methods = finished.results.methods.iter().flat_map(|method| match &method.outcome {
+    let of_methods = finished.results.methods().iter().flat_map(|method| match &method.outcome {
         Ok(done) => done.warnings.iter().map(|w| format!("{}: {w}", method.name)).collect(),
         Err(error) => vec![format!("{}: failed: {error}", method.name)],
     });
-    finished.results.warnings.iter().map(ToString::to_string).chain(of_methods).collect()
+    finished.results.remarks().iter().map(ToString::to_string).chain(of_methods).collect()
 }
 
 /// For each fixture: every line names words that one thing said must hold.
@@ -141,7 +141,7 @@ fn the_cause_is_named() {
 fn every_missing_figure_is_explained() {
     for (name, path) in fixtures() {
         let (plan, finished) = finished(&path);
-        for method in &finished.results.methods {
+        for method in finished.results.methods() {
             let Ok(done) = &method.outcome else { continue };
             let f = &done.figures;
             for (missing, word) in [

@@ -78,7 +78,7 @@ fn records() -> Vec<(experiment::Finished, Value)> {
 fn every_figure_stands_where_its_row_says() {
     let mut seen = Vec::new();
     for (finished, json) in records().into_iter().chain([record(RINGS)]) {
-        for (k, method) in finished.results.methods.iter().enumerate() {
+        for (k, method) in finished.results.methods().iter().enumerate() {
             let done = method.outcome.as_ref().unwrap();
             for &quantity in Quantity::ALL {
                 let at = json["methods"][k].pointer(&format!("/{}", quantity.key().replace('.', "/")));
@@ -106,12 +106,12 @@ fn what_a_row_minimises_is_recorded_and_least() {
             let quantity = Quantity::of_energy(energy);
             let k = finished
                 .results
-                .methods
+                .methods()
                 .iter()
                 .position(|method| {
                     let solved = &method.outcome.as_ref().unwrap().solved;
-                    let corrected = solved.solve.is_some_and(|solve| solve.metric.is_some());
-                    solved.minimised == Some(energy) && !corrected
+                    let corrected = solved.solve().is_some_and(|solve| solve.metric.is_some());
+                    solved.minimised() == Some(energy) && !corrected
                 })
                 .unwrap();
             let least = json["methods"][k][quantity.key()].as_f64().unwrap();
@@ -119,7 +119,7 @@ fn what_a_row_minimises_is_recorded_and_least() {
             // A Coons functional may vanish: then its error is measured by what the boundary spans.
             let scale = json["methods"][k]["dirichlet"].as_f64().unwrap();
             assert!(error <= 1e-9 * least.max(scale), "{quantity}: {least} ± {error}");
-            for method in finished.results.methods.iter().filter(|method| method.name != "searched") {
+            for method in finished.results.methods().iter().filter(|method| method.name != "searched") {
                 let Some(value) = method.figure(quantity) else { continue };
                 assert!(least <= value * (1.0 + 1e-9), "{quantity} of {}: {value} < {least}", method.name);
             }

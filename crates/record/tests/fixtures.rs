@@ -73,17 +73,22 @@ fn a_wrong_expectation_is_missed() {
 fn all_runs_of_the_papers_searches_end_at_the_minimum() {
     for name in ["gt-5.1.toml", "gt-5.2.toml", "gt-5.1-local.toml", "gt-5.2-local.toml"] {
         let finished = finish(&fixture(name));
-        let done = finished.results.methods[0].outcome.as_ref().expect("the search succeeds");
-        let search = done.solved.search.as_ref().expect("a search");
+        let done = finished.results.methods()[0].outcome.as_ref().expect("the search succeeds");
+        let search = done.solved.search().expect("a search");
         let minimum = if name.contains("5.1") { 37.439_561_196_6 } else { 37.790_336_581 };
-        assert_eq!(search.runs.len(), 10);
-        for run in &search.runs {
-            assert!((run.value / minimum - 1.0).abs() < 1e-6, "{name}, run {}: {}", run.index, run.value);
-            assert_eq!(run.history.len(), 101);
-            assert!(run.history.windows(2).all(|pair| pair[1] <= pair[0]));
+        assert_eq!(search.runs().len(), 10);
+        for run in search.runs() {
+            assert!(
+                (run.value() / minimum - 1.0).abs() < 1e-6,
+                "{name}, run {}: {}",
+                run.index(),
+                run.value()
+            );
+            assert_eq!(run.history().len(), 101);
+            assert!(run.history().windows(2).all(|pair| pair[1] <= pair[0]));
         }
         // The energy of the patch, by quadrature of its jets, is the minimum of the reduced energy.
-        assert!((done.figures.dirichlet.value - search.minimum).abs() < 1e-11);
+        assert!((done.figures.dirichlet.value - search.minimum()).abs() < 1e-11);
     }
 }
 

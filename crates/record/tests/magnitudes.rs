@@ -99,7 +99,7 @@ fn figures(done: &Done) -> Vec<(&'static str, f64, i32)> {
         ("rms H", f.mean_curvature_rms.expect("a curvature"), -1),
     ];
     all.extend(done.boundary.map(|b| ("bound", b.harmonic_bound, 2)));
-    all.extend(done.solved.search.as_ref().map(|s| ("minimum", s.minimum, 2)));
+    all.extend(done.solved.search().map(|s| ("minimum", s.minimum(), 2)));
     all
 }
 
@@ -128,7 +128,7 @@ proptest! {
                 let scaled = run(&plan, Options::default(), &()).unwrap();
                 let unit = run(&Plan::parse("unit.toml", unit).unwrap(), Options::default(), &()).unwrap();
                 prop_assert!(!ResultFile::new(&plan, &scaled).to_json().unwrap().contains("null"));
-                for (a, b) in scaled.results.methods.iter().zip(&unit.results.methods) {
+                for (a, b) in scaled.results.methods().iter().zip(unit.results.methods()) {
                     let (a, b) = (a.outcome.as_ref().unwrap(), b.outcome.as_ref().unwrap());
                     for ((name, x, power), (_, y, _)) in figures(a).into_iter().zip(figures(b)) {
                         // A power of two times a double is exact: the same operations on the same bits.
@@ -150,7 +150,7 @@ proptest! {
         if let Ok(plan) = Plan::parse("mixed.toml", &text) {
             prop_assert!(exponent <= 60.1);
             let finished = run(&plan, Options::default(), &()).unwrap();
-            for done in finished.results.methods.iter().filter_map(|method| method.outcome.as_ref().ok()) {
+            for done in finished.results.methods().iter().filter_map(|method| method.outcome.as_ref().ok()) {
                 let f = &done.figures;
                 for integral in [f.dirichlet, f.area, f.laplacian_defect, f.bending] {
                     prop_assert!(integral.value.is_finite() && integral.error.is_finite());

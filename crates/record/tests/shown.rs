@@ -152,11 +152,11 @@ fn no_table_is_wider_than_its_room() {
         for room in [60, WIDTH, 100, 200] {
             let text = table(&results, room);
             let rule = text.lines().position(|line| line.starts_with('─')).unwrap();
-            let rows = rule + 1 + results.methods.len().max(1);
+            let rows = rule + 1 + results.methods().len().max(1);
             let widest =
                 text.lines().skip(rule - 1).take(rows + 2 - rule).map(|line| line.chars().count()).max();
             assert!(widest <= Some(room), "{room}\n{text}");
-            assert!(!results.curves.is_empty() || text.contains("area A"), "{text}");
+            assert!(!results.curves().is_empty() || text.contains("area A"), "{text}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use plateau::{CurveBasis, CurveResult};
+use plateau::CurveResult;
 
 /// Parameter, point, derivatives and curvature with all their digits; the curvature is empty where there is none. Lines of several
 /// curves, which differ in their shape, begin with that.
@@ -23,11 +23,9 @@ pub fn write_curves(curves: &[CurveResult], out: &mut dyn Write) -> io::Result<(
 }
 
 fn lines(curve: &CurveResult, with_shape: bool, out: &mut dyn Write) -> io::Result<()> {
-    let shape = match curve.curve.basis() {
-        CurveBasis::Gt { shape: [first, second] } if with_shape => format!("{first:?},{second:?},"),
-        CurveBasis::Gt { .. } | CurveBasis::Bernstein | CurveBasis::Aht { .. } | CurveBasis::At { .. } => {
-            String::new()
-        }
+    let shape = match curve.curve.basis().shape() {
+        Some([first, second]) if with_shape => format!("{first:?},{second:?},"),
+        Some(_) | None => String::new(),
     };
     for ((t, jet), curvature) in curve.t.iter().zip(&curve.jets).zip(&curve.curvature) {
         write!(out, "{shape}{t:?}")?;

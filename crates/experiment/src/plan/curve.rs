@@ -163,19 +163,20 @@ fn bases(table: &Table<'_>, family: &Spanned<BasisFamily>, shapes: &Shapes) -> O
     }
     let span = &shapes.span;
     let one = match family.get_ref() {
-        BasisFamily::Bernstein => CurveBasis::Bernstein,
+        BasisFamily::Bernstein => Ok(CurveBasis::BERNSTEIN),
         BasisFamily::Gt => return of_gt(table, shapes),
-        BasisFamily::Aht => CurveBasis::Aht { span: length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM)? },
-        BasisFamily::At => CurveBasis::At { span: length(table, span, At::MIN_SPAN..At::SUPREMUM)? },
+        BasisFamily::Aht => CurveBasis::aht(length(table, span, Aht::MIN_SPAN..Aht::SUPREMUM)?),
+        BasisFamily::At => CurveBasis::at(length(table, span, At::MIN_SPAN..At::SUPREMUM)?),
     };
-    Some(vec![one])
+    built(table, span.span().unwrap_or(table.span()), one).map(|basis| vec![basis])
 }
 
 fn of_gt(table: &Table<'_>, shapes: &Shapes) -> Option<Vec<CurveBasis>> {
     if shapes.pairs.is_absent() {
         table.missing("shape", &SHAPE.head().remedy());
     }
-    let basis = |pair| shape_of_curve(table, pair).map(|shape| CurveBasis::Gt { shape });
+    let basis =
+        |pair: &Spanned<Pair>| built(table, pair.span(), CurveBasis::gt(shape_of_curve(table, pair)?));
     shapes.pairs.value()?.iter().map(basis).collect()
 }
 

@@ -171,8 +171,8 @@ pub(crate) fn figures(done: &Done) -> Vec<(&'static str, i32, f64)> {
     if let Some(boundary) = &done.boundary {
         all.extend([("moved by", 1, boundary.deviation), ("bound of D", 2, boundary.harmonic_bound)]);
     }
-    if let Some(search) = &done.solved.search {
-        all.push(("minimum", 2, search.minimum));
+    if let Some(search) = done.solved.search() {
+        all.push(("minimum", 2, search.minimum()));
     }
     all
 }

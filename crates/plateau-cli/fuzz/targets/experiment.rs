@@ -22,7 +22,7 @@ fuzz_target!(|bytes: &[u8]| {
             let Ok(finished) = experiment::run(&plan, Options::default(), &()) else { return };
             let record = ResultFile::new(&plan, &finished).to_json().expect("every record has a JSON form");
             assert!(!record.contains("null"), "a number that is not finite: {record}");
-            if finished.results.curves.is_empty() {
+            if finished.results.curves().is_empty() {
                 StoredResult::parse(record.as_bytes()).expect("what is written can be read");
             }
         }

@@ -11,15 +11,13 @@ mod pinch;
 mod solution;
 mod warned;
 
+use energy::Functional;
 use surfaces::{Complex, ComplexMesh, Deviation, Point};
 
 pub use fill::fill;
 pub use options::{Fill, FillEnergy};
 
-use crate::{
-    AreaExtremal, Done, Energy, Family, Figures, FilmFigures, LowerBound, Seams, Solved, Surface, Warning,
-    Way,
-};
+use crate::{AreaExtremal, Done, Figures, FilmFigures, Interior, LowerBound, Seams, Solved, Warning, Way};
 
 /// A surface of quadrilateral patches over loops or a graph of curves, with its figures.
 #[derive(Debug, Clone)]
@@ -83,9 +81,9 @@ pub struct FilmFace<'a> {
 const ROUNDING: f64 = 1e-14;
 
 impl Film {
-    /// The film as the outcome of a method that minimised `energy`.
+    /// The film as the outcome of a method.
     #[must_use]
-    pub fn into_done(self, energy: FillEnergy) -> Done {
+    pub fn into_done(self) -> Done {
         let Self {
             complex,
             names,
@@ -109,27 +107,18 @@ impl Film {
             all.push(Warning::Welded { distance: welded, share: welded / size });
         }
         all.extend(warnings);
-        let minimised = match energy {
-            FillEnergy::Area => Energy::Area,
-            FillEnergy::Dirichlet => Energy::DIRICHLET,
+        let interior = match extremal {
+            Some(found) => Interior::LeastArea(Box::new(found)),
+            None => Interior::Extremal(Functional::Dirichlet, None),
         };
-        let solved = Solved {
-            surface: Surface::Complex(complex),
-            family: Family::Complex,
-            minimised: Some(minimised),
-            shape: None,
-            solve: None,
-            area: extremal,
-            search: None,
-        };
-        let film = Some(FilmFigures { names, way, rim, seams, one_by_one });
+        let film = FilmFigures::new(&complex, names, way, rim, (seams, one_by_one));
         Done {
-            solved,
+            solved: Solved::complex(complex, interior),
             mesh: mesh.mesh,
             figures,
             boundary: None,
             closed_form: None,
-            film,
+            film: Some(film),
             estimate,
             bound,
             warnings: all,

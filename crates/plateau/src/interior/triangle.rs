@@ -5,7 +5,7 @@ use solve::{Partition, solve_partitioned};
 use surfaces::{TriangleMask, TriangleNet, TrianglePatch, discrete_coons_triangle};
 
 use crate::{
-    AreaExtremal, Method, MethodError, Progress, SolveFigures, Solved, Surface, TriangleBoundary,
+    Interior, Method, MethodError, Progress, SolveFigures, Solved, Surface, TriangleBoundary,
     TriangleInterior, least_area_triangle_raised,
 };
 
@@ -16,36 +16,43 @@ pub(crate) fn solve(
     sides: &TriangleBoundary,
     at_hand: &[&Solved],
     progress: &dyn Progress,
-) -> Result<(TrianglePatch, Option<SolveFigures>, Option<AreaExtremal>), MethodError> {
+) -> Result<Solved, MethodError> {
     let own = sides.net()?;
     let net = own.raised(method.raise())?;
-    let (patch, figures) = match interior {
+    let extremal = |functional, domain, steps| -> Result<Solved, MethodError> {
+        let (patch, figures) = extremal(net.clone(), functional, domain, steps)?;
+        Ok(Solved::triangle(patch, Interior::Extremal(functional, Some(figures))))
+    };
+    let constructed = |patch, figures| Solved::triangle(patch, Interior::Constructed(Some(figures)));
+    match interior {
         TriangleInterior::LeastArea { tolerance } => {
             let starts = at_hand_of(&net, at_hand)?;
             progress.begin(&format!("least area of {}", method.name()), None);
             let found = least_area_triangle_raised(&own, method.raise(), &starts, tolerance, progress);
             progress.end();
             let (patch, found) = found?;
-            return Ok((patch, None, Some(found)));
+            Ok(Solved::triangle(patch, Interior::LeastArea(Box::new(found))))
         }
-        TriangleInterior::Extremal { energy, domain } => extremal(net, energy, domain, 0)?,
+        TriangleInterior::Extremal { energy, domain } => extremal(energy, domain, 0),
         TriangleInterior::MetricCorrections { steps, domain } => {
-            extremal(net, Functional::Dirichlet, domain, steps)?
+            extremal(Functional::Dirichlet, domain, steps)
         }
-        TriangleInterior::Mask(mask) => by_mask(&net, mask)?,
+        TriangleInterior::Mask(mask) => {
+            by_mask(&net, mask).map(|(patch, figures)| constructed(patch, figures))
+        }
         TriangleInterior::DiscreteCoons => {
             let [ab, bc, ca] = net.boundary();
-            (TrianglePatch::new(discrete_coons_triangle(&ab, &bc, &ca)?)?, SolveFigures::EXPLICIT)
+            let patch = TrianglePatch::new(discrete_coons_triangle(&ab, &bc, &ca)?)?;
+            Ok(constructed(patch, SolveFigures::EXPLICIT))
         }
-    };
-    Ok((patch, Some(figures), None))
+    }
 }
 
 /// The patches at hand, raised to the degree of `net`; those of a higher one are left out.
 fn at_hand_of(net: &TriangleNet, at_hand: &[&Solved]) -> Result<Vec<TrianglePatch>, MethodError> {
     let mut patches = Vec::new();
     for solved in at_hand {
-        if let Surface::Triangle(patch) = &solved.surface
+        if let Surface::Triangle(patch) = solved.surface()
             && let Some(raise) = net.degree().checked_sub(patch.net().degree())
         {
             patches.push(TrianglePatch::new(patch.net().raised(raise)?)?);

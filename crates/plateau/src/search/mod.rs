@@ -8,9 +8,11 @@ mod options;
 mod outcome;
 mod reduced;
 mod reduced_energy;
+mod run;
 mod runs;
 
 pub use options::{MAX_SEARCH_BUDGET, Search, SearchFault, SearchMode, Variant};
-pub use outcome::{SearchOutcome, SearchRun};
+pub use outcome::SearchOutcome;
 pub use reduced_energy::ReducedEnergy;
+pub use run::{SearchRun, Swarm};
 pub(crate) use runs::search;

@@ -2,12 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use optim::{Bounds, Objective, Observer, Polish, Polished, Pso, Reason, Topology};
+use optim::{Bounds, Objective, Observer, Polish, Pso, Topology};
 use rayon::prelude::*;
 use surfaces::{Net, ShapedFamily};
 
 use super::reduced::Reduced;
-use super::{SearchMode, SearchOutcome, SearchRun, Variant};
+use super::{SearchMode, SearchOutcome, SearchRun, Swarm, Variant};
 use crate::{Context, MethodError, SearchEnergy, TensorInterior};
 
 /// What all runs of a search share.
@@ -45,7 +45,7 @@ impl Search<'_> {
             }
         }
         let run = |(k, kept): (usize, Option<SearchRun>)| match kept {
-            Some(run) => Ok((run.evaluations, Some(run))),
+            Some(run) => Ok((run.evaluations(), Some(run))),
             None => self.run(&pso, k),
         };
         let ended: Vec<(u64, Option<SearchRun>)> =
@@ -59,16 +59,15 @@ impl Search<'_> {
     /// history leads down to it.
     fn can_have_made(&self, k: usize, run: &SearchRun) -> bool {
         const ROUNDING: f64 = 1e-9;
-        let near = |x: f64| (x - run.value).abs() <= ROUNDING * run.value.abs();
-        if run.seed != self.context.seed || run.index != k || !self.bounds.contains(&run.shape) {
+        let near = |x: f64| (x - run.value()).abs() <= ROUNDING * run.value().abs();
+        if run.seed() != self.context.seed || run.index() != k || !self.bounds.contains(run.shape()) {
             return false;
         }
         let mut value = [f64::NAN];
-        self.reduced.evaluate(&run.shape, &mut value);
-        let descends = run.history.is_sorted_by(|a, b| a >= b);
-        let leads_there = run.history.last().is_none_or(|last| *last >= run.value || near(*last));
-        let is_polished = run.polish.as_ref().is_none_or(|p| p.value == run.value && p.point == run.shape);
-        near(value[0]) && descends && leads_there && is_polished
+        self.reduced.evaluate(run.shape(), &mut value);
+        let descends = run.history().is_sorted_by(|a, b| a >= b);
+        let leads_there = run.history().last().is_none_or(|last| *last >= run.value() || near(*last));
+        near(value[0]) && descends && leads_there
     }
 
     /// One run and its evaluations; seed and index determine it.
@@ -79,9 +78,9 @@ impl Search<'_> {
         let (polish, seed) = (Polish::default(), self.context.seed);
         let mut run = match self.mode {
             SearchMode::Polish => {
-                let run = from_descent(seed, k, polish.run_start(self.reduced, self.bounds, k, seed)?);
+                let polished = polish.run_start(self.reduced, self.bounds, k, seed)?;
                 self.context.progress.step();
-                run
+                SearchRun::of_descent((seed, k), None, polished)
             }
             SearchMode::Pso | SearchMode::PsoPolish => {
                 let report = pso.run(self.reduced, self.bounds, k, &Watch(self.context))?;
@@ -92,14 +91,14 @@ impl Search<'_> {
             }
         };
         if self.mode == SearchMode::PsoPolish && !self.context.progress.cancelled() {
-            let polished = polish.run(self.reduced, self.bounds, &run.shape)?;
-            polish_with(&mut run, polished);
+            let polished = polish.run(self.reduced, self.bounds, run.shape())?;
+            run = run.followed_by(polished);
         }
         // What was cut short is no finished run.
         if !self.context.progress.cancelled() {
             self.context.keeper.keep(self.context.index, &run);
         }
-        Ok((run.evaluations, Some(run)))
+        Ok((run.evaluations(), Some(run)))
     }
 
     fn swarm(&self) -> Pso {
@@ -143,60 +142,18 @@ pub(crate) fn search(
     if context.progress.cancelled() {
         return Err(MethodError::Interrupted);
     }
-    let best = runs.iter().reduce(|best, run| if run.value < best.value { run } else { best });
-    let Some(best) = best.filter(|best| best.value.is_finite()) else {
-        return Err(MethodError::NothingFound { evaluations });
-    };
-    Ok(SearchOutcome {
-        energy,
-        shape: best.shape.clone(),
-        minimum: best.value,
-        evaluations: runs.iter().map(|run| run.evaluations).sum(),
-        nan_evaluations: runs.iter().map(|run| run.nan_evaluations).sum(),
-        engine: reduced.engine(),
-        arithmetic: reduced.arithmetic(),
-        runs,
-    })
+    let evaluated = [reduced.engine(), reduced.arithmetic()];
+    SearchOutcome::of(energy, evaluated, runs).ok_or(MethodError::NothingFound { evaluations })
 }
 
 fn from_swarm(run: &optim::Run) -> Option<SearchRun> {
-    let best = run.best.as_ref()?;
-    Some(SearchRun {
-        seed: run.seed,
-        index: run.run,
-        value: best.value,
-        shape: best.point.clone(),
-        reason: run.reason.to_string(),
+    let swarm = Swarm {
+        reason: run.reason,
         evaluations: run.evaluations,
         nan_evaluations: run.nan_evaluations,
         history: run.history.clone(),
-        polish: None,
-        on_budget: run.reason == Reason::Budget,
-    })
-}
-
-fn from_descent(seed: u64, index: usize, polished: Polished) -> SearchRun {
-    SearchRun {
-        seed,
-        index,
-        value: polished.value,
-        shape: polished.point.clone(),
-        reason: polished.reason.to_string(),
-        evaluations: polished.evaluations as u64,
-        nan_evaluations: 0,
-        history: Vec::new(),
-        on_budget: polished.reason == optim::PolishReason::Budget,
-        polish: Some(polished),
-    }
-}
-
-/// Takes the descent from the best point; what the run ended with is then a stationary point, not a spent budget.
-fn polish_with(run: &mut SearchRun, polished: Polished) {
-    run.evaluations += polished.evaluations as u64;
-    run.value = polished.value;
-    run.shape = polished.point.clone();
-    run.on_budget = polished.reason == optim::PolishReason::Budget;
-    run.polish = Some(polished);
+    };
+    Some(SearchRun::of_swarm((run.seed, run.run), swarm, run.best.clone()?))
 }
 
 /// Passes the iterations of a swarm on to whoever watches.

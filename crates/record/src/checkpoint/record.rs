@@ -1,23 +1,33 @@
 //! A run of a search in a checkpoint. Numbers are kept as their bits: exactly, also those that are not finite.
 
-use optim::{Bound, PolishReason, Polished};
+use optim::{Best, Bound, PolishReason, Polished, Reason};
 use serde::{Deserialize, Serialize};
 
-use plateau::SearchRun;
+use plateau::{SearchRun, Swarm};
 
 #[derive(Serialize, Deserialize)]
 pub(super) struct RunRecord {
     method: usize,
     seed: u64,
     run: usize,
-    value: u64,
-    shape: Vec<u64>,
+    swarm: Option<SwarmRecord>,
+    /// The best of the swarm, where no descent followed it.
+    best: Option<BestRecord>,
+    polish: Option<PolishRecord>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct SwarmRecord {
     reason: String,
     evaluations: u64,
     nan_evaluations: u64,
     history: Vec<u64>,
-    on_budget: bool,
-    polish: Option<PolishRecord>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct BestRecord {
+    value: u64,
+    point: Vec<u64>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -34,39 +44,53 @@ struct PolishRecord {
 
 impl RunRecord {
     pub(super) fn new(method: usize, run: &SearchRun) -> Self {
+        let best = || BestRecord { value: run.value().to_bits(), point: bits(run.shape()) };
         Self {
             method,
-            seed: run.seed,
-            run: run.index,
-            value: run.value.to_bits(),
-            shape: bits(&run.shape),
-            reason: run.reason.clone(),
-            evaluations: run.evaluations,
-            nan_evaluations: run.nan_evaluations,
-            history: bits(&run.history),
-            on_budget: run.on_budget,
-            polish: run.polish.as_ref().map(PolishRecord::new),
+            seed: run.seed(),
+            run: run.index(),
+            swarm: run.swarm().map(SwarmRecord::new),
+            best: run.polish().is_none().then(best),
+            polish: run.polish().map(PolishRecord::new),
         }
     }
 
     /// The run with the indices of its method and its own; none if the record is of no run that this program makes.
     pub(super) fn run(&self) -> Option<((usize, usize), SearchRun)> {
-        let run = SearchRun {
-            seed: self.seed,
-            index: self.run,
-            value: f64::from_bits(self.value),
-            shape: numbers(&self.shape),
-            reason: self.reason.clone(),
+        let number = (self.seed, self.run);
+        let swarm = match &self.swarm {
+            Some(swarm) => Some(swarm.swarm()?),
+            None => None,
+        };
+        let run = match (&self.best, &self.polish) {
+            (Some(best), None) => {
+                let best = Best { value: f64::from_bits(best.value), point: numbers(&best.point) };
+                SearchRun::of_swarm(number, swarm?, best)
+            }
+            (None, Some(polish)) => SearchRun::of_descent(number, swarm, polish.polished()?),
+            (Some(_), Some(_)) | (None, None) => return None,
+        };
+        Some(((self.method, self.run), run))
+    }
+}
+
+impl SwarmRecord {
+    fn new(swarm: &Swarm) -> Self {
+        Self {
+            reason: swarm.reason.name().to_owned(),
+            evaluations: swarm.evaluations,
+            nan_evaluations: swarm.nan_evaluations,
+            history: bits(&swarm.history),
+        }
+    }
+
+    fn swarm(&self) -> Option<Swarm> {
+        Some(Swarm {
+            reason: Reason::ALL.into_iter().find(|reason| reason.name() == self.reason)?,
             evaluations: self.evaluations,
             nan_evaluations: self.nan_evaluations,
             history: numbers(&self.history),
-            polish: match &self.polish {
-                Some(polish) => Some(polish.polished(self.shape.len())?),
-                None => None,
-            },
-            on_budget: self.on_budget,
-        };
-        Some(((self.method, self.run), run))
+        })
     }
 }
 
@@ -89,15 +113,15 @@ impl PolishRecord {
         }
     }
 
-    /// Over as many parameters; none if its lists are of another length.
-    fn polished(&self, parameters: usize) -> Option<Polished> {
+    /// None if its lists are not of one length.
+    fn polished(&self) -> Option<Polished> {
         let bound = |side: &i8| match side {
             -1 => Some(Bound::Lower),
             0 => Some(Bound::Free),
             1 => Some(Bound::Upper),
             _ => None,
         };
-        if [self.point.len(), self.gradient.len(), self.active.len()] != [parameters; 3] {
+        if [self.gradient.len(), self.active.len()] != [self.point.len(); 2] {
             return None;
         }
         Some(Polished {
@@ -126,7 +150,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_run_comes_back_whatever_the_number_of_its_parameters() {
+    fn a_run_comes_back_whatever_the_number_of_its_parameters_and_however_it_ended() {
         for parameters in [1, 2, 4, 7] {
             let polished = Polished {
                 value: 1.5,
@@ -138,9 +162,21 @@ mod tests {
                 iterations: 3,
                 reason: PolishReason::ALL[0],
             };
-            let record = PolishRecord::new(&polished);
-            assert_eq!(record.polished(parameters), Some(polished));
-            assert!(record.polished(parameters + 1).is_none());
+            let best = Best { value: f64::NEG_INFINITY, point: vec![0.5; parameters] };
+            for reason in Reason::ALL {
+                let (history, nan_evaluations) = (vec![f64::INFINITY, 2.0], 1);
+                let swarm = Swarm { reason, evaluations: 40, nan_evaluations, history };
+                for run in [
+                    SearchRun::of_swarm((7, 3), swarm.clone(), best.clone()),
+                    SearchRun::of_descent((7, 3), Some(swarm), polished.clone()),
+                    SearchRun::of_descent((7, 3), None, polished.clone()),
+                ] {
+                    assert_eq!(RunRecord::new(2, &run).run(), Some(((2, 3), run)));
+                }
+            }
+            let mut record = PolishRecord::new(&polished);
+            record.gradient.push(0);
+            assert!(record.polished().is_none());
         }
     }
 }

@@ -20,7 +20,7 @@ impl Head {
         match &result.outcome {
             Err(error) => Self { name, error: Some(error.to_string()), ..Self::default() },
             Ok(done) => {
-                let (patch, basis) = done.solved.family.names();
+                let (patch, basis) = done.solved.family().names();
                 Self { name, error: None, patch: Some(patch.to_owned()), basis: Some(basis.to_owned()) }
             }
         }

@@ -69,7 +69,7 @@ impl MethodEntry {
     pub(super) fn of(result: &MethodResult) -> Self {
         let head = Head::of(result);
         let Ok(done) = &result.outcome else { return Self { head, ..Self::default() } };
-        let (solve, film) = (done.solved.solve.as_ref(), done.film.as_ref());
+        let (solve, film) = (done.solved.solve(), done.film.as_ref());
         Self {
             head,
             shape: Figures::of(done),
@@ -81,14 +81,14 @@ impl MethodEntry {
             condition: solve.and_then(|solve| finite(solve.condition)),
             basis_condition: solve.and_then(|solve| solve.basis_condition).and_then(finite),
             certified: solve.and_then(|solve| solve.certified),
-            area_extremal: done.solved.area.as_ref().map(|found| AreaEntry::new(found, &done.solved.surface)),
+            area_extremal: done.solved.area().map(|found| AreaEntry::new(found, done.solved.surface())),
             rim: Figures::of(done),
-            kink: film.and_then(|film| film.seams.kink).map(|kink| Kink { max: kink.max, rms: kink.rms }),
+            kink: film.and_then(|film| film.seams().kink).map(|kink| Kink { max: kink.max, rms: kink.rms }),
             even: Figures::of(done),
             least: Figures::of(done),
             lower_bound_proof: done.bound.as_ref().map(ProofEntry::new),
             others: Figures::of(done),
-            search: done.solved.search.as_ref().map(SearchEntry::of),
+            search: done.solved.search().map(SearchEntry::of),
             files: Vec::new(),
             warnings: done.warnings.iter().map(ToString::to_string).collect(),
         }

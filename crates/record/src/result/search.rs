@@ -38,26 +38,26 @@ struct PolishEntry {
 impl SearchEntry {
     pub(super) fn of(outcome: &SearchOutcome) -> Self {
         Self {
-            evaluations: outcome.evaluations,
-            nan_evaluations: outcome.nan_evaluations,
-            engine: outcome.engine.to_owned(),
-            arithmetic: outcome.arithmetic.to_owned(),
-            minimum: outcome.minimum,
-            runs: outcome.runs.iter().map(run_entry).collect(),
+            evaluations: outcome.evaluations(),
+            nan_evaluations: outcome.nan_evaluations(),
+            engine: outcome.engine().to_owned(),
+            arithmetic: outcome.arithmetic().to_owned(),
+            minimum: outcome.minimum(),
+            runs: outcome.runs().iter().map(run_entry).collect(),
         }
     }
 }
 
 fn run_entry(run: &SearchRun) -> RunEntry {
     RunEntry {
-        seed: run.seed,
-        run: run.index,
-        best: run.value,
-        shape: run.shape.clone(),
-        reason: run.reason.clone(),
-        evaluations: run.evaluations,
-        history: run.history.iter().copied().filter(|v| v.is_finite()).collect(),
-        polish: run.polish.as_ref().map(|p| PolishEntry {
+        seed: run.seed(),
+        run: run.index(),
+        best: run.value(),
+        shape: run.shape().to_vec(),
+        reason: run.reason(),
+        evaluations: run.evaluations(),
+        history: run.history().iter().copied().filter(|v| v.is_finite()).collect(),
+        polish: run.polish().map(|p| PolishEntry {
             value: p.value,
             kkt_residual: p.residual,
             active_bounds: active_bounds(p).into_iter().map(str::to_owned).collect(),

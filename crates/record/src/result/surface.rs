@@ -31,9 +31,13 @@ pub(crate) struct SurfaceEntry {
 
 impl SurfaceEntry {
     pub(super) fn of(done: &Done) -> Self {
-        let names = done.film.as_ref().map(|film| &film.names);
-        let empty = Self { shape: done.solved.shape.clone(), vertices: names.cloned(), ..Self::default() };
-        match &done.solved.surface {
+        let names = done.film.as_ref().map(|film| film.names());
+        let empty = Self {
+            shape: done.solved.shape().map(<[f64]>::to_vec),
+            vertices: names.map(<[String]>::to_vec),
+            ..Self::default()
+        };
+        match done.solved.surface() {
             Surface::Tensor(patch) => Self { net: Some(NetEntry::of_rows(rows(patch.net()))), ..empty },
             Surface::Triangle(patch) => Self { net: Some(NetEntry::of_triangle(patch.net())), ..empty },
             Surface::Pieces(cut) => Self {

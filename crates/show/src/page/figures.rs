@@ -19,7 +19,7 @@ const OPEN: usize = 20;
 /// One row a method.
 pub(super) fn methods(results: &Results) -> String {
     let mut html = table(&cells(results, Place::Page, ROWS));
-    left_out(&mut html, results.methods.len());
+    left_out(&mut html, results.methods().len());
     html
 }
 

@@ -59,7 +59,7 @@ pub struct About<'a> {
 
 /// The whole page.
 pub fn page(results: &Results, about: &About<'_>, scene: Option<&Scene<'_>>, pictures: &[Picture]) -> String {
-    let title = Escaped(&results.title);
+    let title = Escaped(results.title());
     let mut body = String::new();
     body += &view(scene);
     body += &section("Figures", &(figures_of(results) + &notes(results)));
@@ -107,8 +107,8 @@ pub fn page(results: &Results, about: &About<'_>, scene: Option<&Scene<'_>>, pic
 /// What the results were made from; the seed where a search used it.
 fn made(results: &Results, about: &About<'_>) -> String {
     let is_searched =
-        |method: &MethodResult| method.outcome.as_ref().is_ok_and(|done| done.solved.search.is_some());
-    let seed = match results.methods.iter().any(is_searched) {
+        |method: &MethodResult| method.outcome.as_ref().is_ok_and(|done| done.solved.search().is_some());
+    let seed = match results.methods().iter().any(is_searched) {
         true => format!(", seed {}", about.seed),
         false => String::new(),
     };
@@ -176,7 +176,7 @@ fn view(scene: Option<&Scene<'_>>) -> String {
 }
 
 fn figures_of(results: &Results) -> String {
-    match results.curves.as_slice() {
+    match results.curves() {
         [] => figures::methods(results),
         curves => figures::curves(curves),
     }
@@ -218,10 +218,10 @@ fn experiment(about: &About<'_>) -> String {
 /// What the numbers depend on.
 fn origin(results: &Results, about: &About<'_>) -> String {
     let searches: BTreeSet<String> = results
-        .methods
+        .methods()
         .iter()
-        .filter_map(|method| method.outcome.as_ref().ok()?.solved.search.as_ref())
-        .map(|search| format!("{} evaluation, {} arithmetic", search.engine, search.arithmetic))
+        .filter_map(|method| method.outcome.as_ref().ok()?.solved.search())
+        .map(|search| format!("{} evaluation, {} arithmetic", search.engine(), search.arithmetic()))
         .collect();
     let mut entries = about.origin.clone();
     if !searches.is_empty() {

@@ -18,14 +18,14 @@ const APART: f64 = 15.0;
 /// The functions of bases of degree `degree` (5 of AHT and AT) over their domains as one SVG, a panel for each basis, all between 0 and 1.
 ///
 /// ```
-/// let aht = plateau::CurveBasis::Aht { span: 6.0 };
+/// let aht = plateau::CurveBasis::aht(6.0)?;
 /// let picture = show::basis_functions(&[aht], 5)?;
 /// assert!(picture.starts_with("<svg") && picture.contains("AHT, span 6"));
 /// # Ok::<(), plateau::MethodError>(())
 /// ```
 ///
 /// # Errors
-/// [`MethodError::Basis`] for parameters or a degree that a basis does not have.
+/// [`MethodError::Basis`] for a degree that a basis does not have.
 pub fn basis_functions(bases: &[CurveBasis], degree: usize) -> Result<String, MethodError> {
     let [columns, rows] = arrange(bases.len(), IN_A_ROW);
     let title = "Basis functions over their parameter";
@@ -84,10 +84,10 @@ mod tests {
     #[test]
     fn a_panel_has_a_curve_and_a_name_for_each_function() {
         let bases = [
-            CurveBasis::Bernstein,
-            CurveBasis::Gt { shape: [0.5, 3.5] },
-            CurveBasis::Aht { span: std::f64::consts::TAU },
-            CurveBasis::At { span: 3.0 },
+            CurveBasis::BERNSTEIN,
+            CurveBasis::gt([0.5, 3.5]).unwrap(),
+            CurveBasis::aht(std::f64::consts::TAU).unwrap(),
+            CurveBasis::at(3.0).unwrap(),
         ];
         for basis in bases {
             let svg = basis_functions(&[basis], 5).unwrap();
@@ -99,7 +99,6 @@ mod tests {
         }
         let all = basis_functions(&bases, 5).unwrap();
         assert_eq!(all.matches("<path").count(), 24);
-        assert!(basis_functions(&[CurveBasis::Aht { span: 8.0 }], 5).is_err());
-        assert!(basis_functions(&[CurveBasis::Gt { shape: [1.0, 1.0] }], 1).is_err());
+        assert!(basis_functions(&[CurveBasis::gt([1.0, 1.0]).unwrap()], 1).is_err());
     }
 }

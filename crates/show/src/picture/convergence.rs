@@ -19,11 +19,11 @@ const RUN: &str = "#3d6fa5";
 /// One row for each search by a swarm; none if there was none.
 pub(super) fn picture(results: &Results) -> Option<Picture> {
     let searches: Vec<(&str, &SearchOutcome)> = results
-        .methods
+        .methods()
         .iter()
         .filter_map(|method| {
-            let search = method.outcome.as_ref().ok()?.solved.search.as_ref()?;
-            search.runs.iter().any(|run| run.history.len() > 1).then_some((method.name.as_str(), search))
+            let search = method.outcome.as_ref().ok()?.solved.search()?;
+            search.runs().iter().any(|run| run.history().len() > 1).then_some((method.name.as_str(), search))
         })
         .take(SEARCHES)
         .collect();
@@ -42,21 +42,22 @@ pub(super) fn picture(results: &Results) -> Option<Picture> {
 }
 
 fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize) {
-    let best = search.runs.iter().position(|run| run.value == search.minimum).unwrap_or(0);
-    let mut drawn: Vec<usize> = (0..search.runs.len()).filter(|&k| k != best).take(RUNS - 1).collect();
+    let best = search.runs().iter().position(|run| run.value() == search.minimum()).unwrap_or(0);
+    let mut drawn: Vec<usize> = (0..search.runs().len()).filter(|&k| k != best).take(RUNS - 1).collect();
     drawn.push(best);
-    let runs: Vec<&SearchRun> = drawn.iter().map(|&k| &search.runs[k]).collect();
+    let runs: Vec<&SearchRun> = drawn.iter().map(|&k| &search.runs()[k]).collect();
 
-    let inside = match Quantity::of_search(search.energy).power() {
+    let inside = match Quantity::of_search(search.energy()).power() {
         Some(2) => " (length²)",
         _ => "",
     };
     heading(svg, name, search, runs.len(), y);
     let (top, bottom) = (y + 56.0, y + SIZE[1] - 54.0);
-    let finite = || runs.iter().flat_map(|run| run.history.iter().copied()).filter(|value| value.is_finite());
-    let length = runs.iter().map(|run| run.history.len()).max().unwrap_or(1);
-    let low = finite().fold(search.minimum, f64::min);
-    let high = finite().fold(search.minimum, f64::max);
+    let finite =
+        || runs.iter().flat_map(|run| run.history().iter().copied()).filter(|value| value.is_finite());
+    let length = runs.iter().map(|run| run.history().len()).max().unwrap_or(1);
+    let low = finite().fold(search.minimum(), f64::min);
+    let high = finite().fold(search.minimum(), f64::max);
     let x = |pixels| Axis::linear(0.0, (length - 1).max(1) as f64, pixels, 5);
     let most = (CORNERS / runs.len()).max(20);
 
@@ -70,8 +71,8 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
     let left = if tells { 520.0 } else { 96.0 };
 
     // Below this a gap is rounding.
-    let floor = search.minimum.abs() * f64::EPSILON;
-    let minimum = search.minimum;
+    let floor = search.minimum().abs() * f64::EPSILON;
+    let minimum = search.minimum();
     let gap = move |value: f64| Some(value - minimum).filter(|gap| *gap > floor);
     let gaps: Vec<f64> = finite().filter_map(gap).collect();
     let least = gaps.iter().copied().reduce(f64::min);
@@ -95,16 +96,16 @@ fn panels(svg: &mut Svg, name: &str, search: &SearchOutcome, y: f64, row: usize)
 
 /// The name of the method, how many runs are drawn and which line is which.
 fn heading(svg: &mut Svg, name: &str, search: &SearchOutcome, drawn: usize, y: f64) {
-    let of = if drawn < search.runs.len() {
-        format!("{drawn} of {}", search.runs.len())
+    let of = if drawn < search.runs().len() {
+        format!("{drawn} of {}", search.runs().len())
     } else {
         drawn.to_string()
     };
-    let unit = match Quantity::of_search(search.energy).power() {
+    let unit = match Quantity::of_search(search.energy()).power() {
         Some(2) => " length²",
         _ => "",
     };
-    let caption = format!("{of} runs; least value {:.7}{unit}", search.minimum);
+    let caption = format!("{of} runs; least value {:.7}{unit}", search.minimum());
     svg.heading([20.0, y + 4.0], name, 70, &caption);
     let mut key = SIZE[0] - 210.0;
     for (label, colour, width) in [("a run", RUN, 1.0), ("the best run", ACCENT, 2.0)] {
@@ -117,7 +118,7 @@ fn heading(svg: &mut Svg, name: &str, search: &SearchOutcome, drawn: usize, y: f
 /// Whether the best values themselves show how the runs went. If a tenth of the iterations leaves less than a twentieth of
 /// their range, they are all one flat line, and only their gaps tell.
 fn values_tell(runs: &[&SearchRun], low: f64, high: f64) -> bool {
-    let after = runs.iter().filter_map(|run| run.history.get(run.history.len() / 10)).copied();
+    let after = runs.iter().filter_map(|run| run.history().get(run.history().len() / 10)).copied();
     let highest = after.filter(|value| value.is_finite()).fold(low, f64::max);
     highest - low >= 0.05 * (high - low)
 }
@@ -134,7 +135,7 @@ fn draw(
     for (k, run) in runs.iter().enumerate() {
         let best = k + 1 == runs.len();
         let values: Vec<f64> =
-            run.history.iter().map_while(|&value| of(value).filter(|v| v.is_finite())).collect();
+            run.history().iter().map_while(|&value| of(value).filter(|v| v.is_finite())).collect();
         let step = values.len().div_ceil(most).max(1);
         let corners = values.iter().enumerate().filter(|(i, _)| i % step == 0 || i + 1 == values.len());
         let points: Vec<[f64; 2]> = corners.map(|(i, &value)| [x.at(i as f64), y.at(value)]).collect();

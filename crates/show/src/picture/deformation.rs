@@ -18,7 +18,7 @@ const BAR: f64 = 110.0;
 
 /// The surfaces of the scene that are frames of a deformation: all but the first, if they have weights.
 pub(super) fn frames<'a, 'b>(results: &Results, scene: &'b Scene<'a>) -> Option<Vec<&'b Shown<'a>>> {
-    if results.methods.len() < 3 || scene.surfaces.len() < 3 {
+    if results.methods().len() < 3 || scene.surfaces.len() < 3 {
         return None;
     }
     let frames: Vec<&Shown<'_>> = scene.surfaces[1..].iter().collect();

@@ -45,6 +45,6 @@ pub fn pictures(results: &Results, scene: Option<&Scene<'_>>) -> Vec<Picture> {
     }
     pictures.extend(blend::picture(results));
     pictures.extend(convergence::picture(results));
-    pictures.extend(curvature::picture(&results.curves));
+    pictures.extend(curvature::picture(results.curves()));
     pictures
 }

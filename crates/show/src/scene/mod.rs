@@ -64,7 +64,7 @@ pub(crate) struct Shown<'a> {
 impl Shown<'_> {
     /// How it was found, if it is of least area and its mode is known.
     pub(crate) fn with_mode(&self) -> Option<(&AreaExtremal, f64)> {
-        let found = self.done.solved.area.as_ref()?;
+        let found = self.done.solved.area()?;
         found.mode.as_ref()?;
         Some((found, found.second_variation?))
     }
@@ -77,8 +77,7 @@ impl Shown<'_> {
     /// Whether it is of least area, as near as its functions come: what it has of mean curvature is what they leave of it.
     pub(crate) fn is_least(&self) -> bool {
         let is_reached = |found: &AreaExtremal| found.end == AreaEnd::Stationary;
-        self.done.solved.minimised == Some(Energy::Area)
-            && self.done.solved.area.as_ref().is_some_and(is_reached)
+        self.done.solved.minimised() == Some(Energy::Area) && self.done.solved.area().is_some_and(is_reached)
     }
 
     /// Whether its control net is drawn unasked: neither does it dwarf the surface, nor hide it.
@@ -111,7 +110,7 @@ impl<'a> Scene<'a> {
     /// The scene of an experiment; none if it has no surface with finite points.
     pub fn of(results: &'a Results) -> Option<Self> {
         let done: Vec<(&str, &Done)> = results
-            .methods
+            .methods()
             .iter()
             .filter_map(|method| Some((method.name.as_str(), method.outcome.as_deref().ok()?)))
             .collect();
@@ -124,7 +123,7 @@ impl<'a> Scene<'a> {
             .filter_map(|&k| {
                 let (name, done) = done[k];
                 let sample = Sample::of(done, budget)?;
-                Some(Shown { name, done, sample, net: ControlNet::of(&done.solved.surface) })
+                Some(Shown { name, done, sample, net: ControlNet::of(done.solved.surface()) })
             })
             .filter(|shown| shown.sample.points.iter().all(|p| p.is_finite()))
             .collect();
@@ -181,7 +180,7 @@ pub(crate) fn spread(count: usize, most: usize) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::{Field, LineKind, Sample, spread};
-    use plateau::{FillEnergy, Loop, fill};
+    use plateau::{Loop, fill};
     use surfaces::Point;
 
     #[test]
@@ -189,7 +188,7 @@ mod tests {
         let corners =
             [[0., 0., 0.], [1., 0., 0.], [1., 1., 1.], [0., 1., 0.], [-0.4, 0.5, 0.3]].map(Point::from);
         let film = fill(&[Loop::polygon(&corners).unwrap()], 5).unwrap();
-        let sample = Sample::of(&film.into_done(FillEnergy::Area), 4000).unwrap();
+        let sample = Sample::of(&film.into_done(), 4000).unwrap();
         assert!(sample.charts.len() > 1);
         let values: Vec<f64> =
             sample.values(Field::Mode).iter().map(|f| f.expect("a displacement")).collect();

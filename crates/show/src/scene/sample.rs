@@ -44,14 +44,14 @@ pub(crate) struct Sample {
 impl Sample {
     /// Samples a surface at about `budget` vertices; none if it has more faces than can be shown.
     pub(super) fn of(done: &Done, budget: usize) -> Option<Self> {
-        let mut sample = match &done.solved.surface {
+        let mut sample = match done.solved.surface() {
             Surface::Tensor(patch) => Self::of_patch(patch, None, budget),
             Surface::Triangle(patch) => Self::of_patch(patch, None, budget),
             Surface::Pieces(pieces) => Self::of_patch(pieces, Some(pieces.shape()), budget),
             Surface::Complex(complex) => Self::of_complex(complex, budget)?,
         };
-        let mode = done.solved.area.as_ref().and_then(|found| found.mode.as_ref());
-        if let Some(values) = mode.and_then(|mode| sample.displacement(mode, &done.solved.surface, budget)) {
+        let mode = done.solved.area().and_then(|found| found.mode.as_ref());
+        if let Some(values) = mode.and_then(|mode| sample.displacement(mode, done.solved.surface(), budget)) {
             sample.fields[Field::Mode as usize] = values;
         }
         Some(sample)

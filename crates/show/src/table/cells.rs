@@ -33,7 +33,7 @@ struct Words {
 
 const WORDS: [Words; 2] = [
     Words { heading: "weights", names: |_| &["a", "b"], of: weights },
-    Words { heading: "shape", names: |done| done.solved.family.parameters(), of: shape },
+    Words { heading: "shape", names: |done| done.solved.family().parameters(), of: shape },
 ];
 
 /// Most notes whose numbers stand beside a name.
@@ -45,7 +45,7 @@ const MARKS: usize = 3;
 /// honest: how far the boundary curves lie from the Bernstein curves of the net, the conformality gap, the mean curvature, the
 /// least Dirichlet energy that the patch's own boundary curves admit.
 pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
-    let done: Vec<Option<&Done>> = results.methods.iter().map(|m| m.outcome.as_deref().ok()).collect();
+    let done: Vec<Option<&Done>> = results.methods().iter().map(|m| m.outcome.as_deref().ok()).collect();
     let is_exact = done.iter().flatten().any(|done| done.closed_form.is_some());
     let shown = shown(&done, place);
     let mut columns = vec![Column::words(if is_exact { "surface" } else { "method" }, "")];
@@ -72,7 +72,7 @@ pub(crate) fn cells(results: &Results, place: Place, most: usize) -> Cells {
         Row { cells, index, marks, standing, failure: method.outcome.as_ref().err().map(ToString::to_string) }
     };
     let mut rows: Vec<Row> =
-        results.methods.iter().zip(standings(&done)).enumerate().take(most).map(row).collect();
+        results.methods().iter().zip(standings(&done)).enumerate().take(most).map(row).collect();
     if rows.iter().any(|row| matches!(row.standing, Standing::Best | Standing::Above(_))) {
         rows.sort_by_key(|row| row.standing == Standing::Apart);
     }
@@ -140,7 +140,7 @@ fn weights(done: &Done) -> String {
 }
 
 fn shape(done: &Done) -> String {
-    let Some(shape) = &done.solved.shape else { return String::new() };
+    let Some(shape) = done.solved.shape() else { return String::new() };
     if shape.iter().all(|x| (x - shape[0]).abs() < 5e-6) {
         let all = if shape.len() == 4 { "all four".to_owned() } else { format!("all {}", shape.len()) };
         return format!("{:.5} ({all})", shape[0]);

@@ -178,7 +178,7 @@ impl Figure {
     /// Whether it is the energy whose extremal one of the patches is: then its column is there.
     pub(crate) fn is_minimised_by(&self, done: &[Option<&Done>]) -> bool {
         let Shows::Value(quantity) = self.shows else { return false };
-        done.iter().flatten().any(|done| done.solved.minimised.map(Quantity::of_energy) == Some(quantity))
+        done.iter().flatten().any(|done| done.solved.minimised().map(Quantity::of_energy) == Some(quantity))
     }
 
     /// Its column among patches; what one of them minimised is left out late.

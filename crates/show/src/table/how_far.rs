@@ -5,7 +5,7 @@ use plateau::{Done, Energy, Notation, Results};
 
 /// What is known of the least area over the rim of a surface of least area; none if nothing is.
 pub(crate) fn how_far(done: &Done) -> Option<String> {
-    if done.solved.minimised != Some(Energy::Area) || done.estimate.is_none() && done.bound.is_none() {
+    if done.solved.minimised() != Some(Energy::Area) || done.estimate.is_none() && done.bound.is_none() {
         return None;
     }
     let area = done.figures.area.value;
@@ -25,10 +25,10 @@ pub(crate) fn how_far(done: &Done) -> Option<String> {
 pub(crate) fn losses(results: &Results) -> Option<String> {
     let of = |method: &plateau::MethodResult| {
         let done = method.outcome.as_ref().ok()?;
-        let estimate = done.estimate.filter(|_| done.solved.minimised != Some(Energy::Area))?;
+        let estimate = done.estimate.filter(|_| done.solved.minimised() != Some(Energy::Area))?;
         Some(format!("{}: {}", Printable(&method.name).cut(Printable::NAME), Notation::Estimate.of(estimate)))
     };
-    let all: Vec<String> = results.methods.iter().filter_map(of).collect();
+    let all: Vec<String> = results.methods().iter().filter_map(of).collect();
     (!all.is_empty()).then(|| format!("above the least area of the boundary (estimated): {}", all.join("; ")))
 }
 

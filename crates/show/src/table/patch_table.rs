@@ -23,10 +23,10 @@ pub const WIDTH: usize = 80;
 /// these to the first: area, what was minimised, the excess over the least area, the error of the area, Dirichlet energy, D^g,
 /// boundary, rim, kink, shape, (D − A)/A, max |H|, bound of D. A line says which.
 pub fn table(results: &Results, room: usize) -> String {
-    let mut text = format!("{}\n\n", Printable(&results.title));
-    match results.curves.as_slice() {
+    let mut text = format!("{}\n\n", Printable(results.title()));
+    match results.curves() {
         [first, rest @ ..] => {
-            text += &grid(&summary(&results.curves), room).0;
+            text += &grid(&summary(results.curves()), room).0;
             if first.t.len() <= LISTED && rest.is_empty() {
                 text.push('\n');
                 text += &grid(&samples(first, LISTED), room).0;
@@ -65,7 +65,7 @@ fn listed(said: &str, names: &[&str], room: usize) -> String {
 pub(crate) fn notes(results: &Results) -> Vec<String> {
     let mut notes = Vec::new();
     let mut number = 0;
-    for method in &results.methods {
+    for method in results.methods() {
         let name = Printable(&method.name).cut(Printable::NAME);
         match &method.outcome {
             Ok(done) => {
@@ -80,6 +80,6 @@ pub(crate) fn notes(results: &Results) -> Vec<String> {
         }
     }
     notes.extend(losses(results).map(|losses| format!("note: {losses}")));
-    notes.extend(results.warnings.iter().map(|warning| format!("note: {warning}")));
+    notes.extend(results.remarks().iter().map(|remark| format!("note: {remark}")));
     notes
 }
