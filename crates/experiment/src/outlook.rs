@@ -100,7 +100,8 @@ fn cost_line(name: &str, cost: Cost, less: Option<Cost>) -> String {
             less.least_areas
         )
     });
-    format!("\"{name}\": {found}, about {}{memory} on one core{less}", rough_duration(cost.seconds))
+    let about = if cost.is_most { "at most about" } else { "about" };
+    format!("\"{name}\": {found}, {about} {}{memory} on one core{less}", rough_duration(cost.seconds))
 }
 
 #[cfg(test)]

@@ -204,7 +204,7 @@ fn an_imported_experiment_asks_for_what_is_offered_at_its_degree() {
             let ends = corners.iter().zip(corners.iter().cycle().skip(1)).enumerate();
             ends.map(|(k, (from, to))| side(&format!("s{k}"), *from, *to, degree)).collect()
         };
-        for (corners, limit) in [(&[a, b, c][..], 18), (&[a, b, c, d][..], 32)] {
+        for (corners, limit) in [(&[a, b, c][..], 18), (&[a, b, c, d][..], 64)] {
             let text = of_control_points("sides.csv", &around(corners));
             assert_eq!(text.contains("energy = \"area\""), degree <= limit, "{text}");
             assert_eq!(text.contains("# no least area of degree"), degree > limit, "{text}");

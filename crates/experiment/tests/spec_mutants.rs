@@ -279,7 +279,7 @@ const MUTANTS: &[Mutant] = &[
     mutant("a domain of a mask", TRIANGLE, &[("mask = \"dirichlet\"", "mask = \"dirichlet\"\ndomain = «\"equilateral\"»")], Conflict, &["`domain`", "no extremal"]),
     mutant("another domain", TRIANGLE, &[("mask = \"dirichlet\"", "energy = \"dirichlet\"\ndomain = «\"regular\"»")], Inadmissible, &["\"right\"", "\"equilateral\""]),
     mutant("a triangle of a high degree", TRIANGLE, &[("mask = \"dirichlet\"", "energy = «\"bending\"»\nraise = 22")], Conflict, &["degree 25", "offered to degree 24", "raise by at most 21"]),
-    mutant("a least area of a high degree", TENSOR, &[("energy = \"bending\"", "energy = «\"area\"»\nraise = 30")], Conflict, &["degree 33", "to degree 32", "raise by at most 29", "--degree 6", "energy = \"dirichlet\""]),
+    mutant("a least area of a high degree", TENSOR, &[("basis = \"bernstein\"", "basis = \"gt\"\nshape = [1, 1, 1, 1]"), ("energy = \"bending\"", "energy = «\"area\"»\nraise = 30")], Conflict, &["degree 33", "to degree 32", "raise by at most 29", "leave out `basis`", "energy = \"dirichlet\""]),
     mutant("a least area of a high degree over a triangle", TRIANGLE, &[("mask = \"dirichlet\"", "energy = «\"area\"»\nraise = 16")], Conflict, &["degree 19", "to degree 18", "raise by at most 15", "mask = \"dirichlet\""]),
     mutant("metric steps of a high degree", TENSOR, &[("energy = \"bending\"", "energy = \"dirichlet\"\nraise = 11\nmetric-steps = «1»")], Conflict, &["degree 14", "to degree 13", "energy = \"area\""]),
     mutant("a harmonic net of a high degree", ROWS, &[("u-degree = 3", "u-degree = 21"), ("construction = \"harmonic\"", "construction = «\"harmonic\"»")], Conflict, &["degree 21", "to degree 20"]),

@@ -17,8 +17,9 @@ pub enum DegreeLimit {
     /// Harmonic nets, found by singular values of all relations: O(degree⁶).
     #[error("harmonic nets are offered to degree {}", self.degree())]
     Harmonic,
-    /// Least areas of tensor nets: at degree 32 the rounding of control points may be seen in the seventh digit of the area, at 40 nothing else.
-    #[error("least areas are offered to degree {}: beyond, their control points are so large that rounding alone moves the surface", self.degree())]
+    /// Least areas of patches with shapes: at degree 32 the rounding of control points may be seen in the seventh digit of the area, at 40
+    /// nothing else.
+    #[error("least areas of patches with shapes are offered to degree {}: beyond, their control points are so large that rounding alone moves the surface", self.degree())]
     LeastArea,
     /// Least areas of several patches.
     #[error("surfaces of several patches are offered to degree {}", self.degree())]
@@ -70,7 +71,11 @@ fn limit_of_tensor(functions: &Functions, interior: TensorInterior) -> Option<De
     let sought = functions.searched().map(|(_, _, sought)| sought);
     match interior {
         TensorInterior::LeastArea { layers: 1.., .. } => Some(DegreeLimit::Patches),
-        TensorInterior::LeastArea { .. } => Some(DegreeLimit::LeastArea),
+        // Polynomials are sought by displacements of lower degree.
+        TensorInterior::LeastArea { .. } => match functions {
+            Functions::Bernstein => None,
+            Functions::Shaped(_) | Functions::Searched { .. } => Some(DegreeLimit::LeastArea),
+        },
         TensorInterior::MetricCorrections { .. } => Some(DegreeLimit::MetricSteps),
         TensorInterior::Harmonic => Some(DegreeLimit::Harmonic),
         TensorInterior::Extremal { energy, .. } => {

@@ -18,7 +18,9 @@ pub(crate) fn estimated(
     warnings: &mut Vec<Warning>,
     progress: &dyn Progress,
 ) -> Result<Option<f64>, MethodError> {
-    let (m, n) = surface.degrees();
+    // What is sought inside decides what it costs.
+    let sought = area.and_then(|found| found.displacement);
+    let (m, n) = sought.map_or(surface.degrees(), |displacement| displacement.degrees);
     let (faces, at_corners) = match surface {
         Surface::Complex(complex) => cells(complex),
         Surface::Tensor(patch) if family == Family::Bernstein => cells(&Complex::of_net(patch.net())?),

@@ -41,7 +41,7 @@
 //! | searches | [`Search`], [`SearchFault`], [`SearchMode`], [`Variant`], [`MAX_SEARCH_BUDGET`]; [`SearchOutcome`], [`SearchRun`] with its [`Swarm`] |
 //! | results | [`Results`] with each [`Remark`] on the whole, [`MethodResult`], [`Done`]; [`Solved`], [`SolveFigures`], [`Surface`] |
 //! | figures | [`Figures`], [`BoundaryFigures`], [`FilmFigures`], [`Seams`], [`Kink`]; [`Quantity`] with its [`Bearer`], [`Measured`]; [`ClosedForm`] |
-//! | least areas | [`least_area_from()`], [`least_area_raised()`], [`least_area_triangle_from()`], [`least_area_triangle_raised()`], [`least_area_complex()`], [`least_area_complex_near()`], [`dirichlet_complex()`]; [`AreaExtremal`], [`Mode`], [`AreaEnd`], [`ValleyEnd`], [`Start`], [`Stage`] |
+//! | least areas | [`least_area_from()`], [`least_area_raised()`], [`least_area_triangle_from()`], [`least_area_triangle_raised()`], [`least_area_complex()`], [`least_area_complex_near()`], [`dirichlet_complex()`]; [`AreaExtremal`], [`Displacement`], [`DisplacementEnd`], [`Mode`], [`AreaEnd`], [`ValleyEnd`], [`Start`], [`Stage`] |
 //! | how far from the least | [`estimate_net()`], [`estimate_triangle()`], [`estimate_complex()`], [`AreaEstimate`], [`NoEstimate`]; [`excess_of_net()`], [`excess_of_triangle()`], [`excess_of_complex()`] |
 //! | proved bounds from below | [`lower_bound()`], [`lower_bound_of_net()`], [`LowerBound`], [`CalibratedFace`], [`Competitors`], [`NoBound`] |
 //! | loops and graphs of curves | [`Loop`], [`CurveGraph`], [`GraphCurve`], [`FaceSide`]; [`Cutting`], [`CutBoundary`], [`Way`], [`CuttingError`] with its [`CuttingSite`], [`odd_corners()`] |
@@ -130,10 +130,11 @@ pub use helicoid::{Construction, DeformationPath, Helicoid, helicoids, trapezium
 pub use keeper::Keeper;
 pub(crate) use least_area::costs_less;
 pub use least_area::{
-    AreaEnd, AreaEstimate, AreaExtremal, Mode, NoEstimate, Stage, Start, ValleyEnd, dirichlet_complex,
-    estimate_complex, estimate_net, estimate_triangle, excess_of_complex, excess_of_net, excess_of_triangle,
-    least_area, least_area_complex, least_area_complex_near, least_area_from, least_area_raised,
-    least_area_triangle, least_area_triangle_from, least_area_triangle_raised,
+    AreaEnd, AreaEstimate, AreaExtremal, Displacement, DisplacementEnd, Mode, NoEstimate, Stage, Start,
+    ValleyEnd, dirichlet_complex, estimate_complex, estimate_net, estimate_triangle, excess_of_complex,
+    excess_of_net, excess_of_triangle, least_area, least_area_complex, least_area_complex_near,
+    least_area_from, least_area_raised, least_area_triangle, least_area_triangle_from,
+    least_area_triangle_raised,
 };
 pub use lower_bound::{CalibratedFace, Competitors, LowerBound, NoBound, lower_bound, lower_bound_of_net};
 pub use method::{

@@ -1,9 +1,12 @@
 //! Memory that a method is about to take: asked for beforehand, so that its lack is an error and not the end of the program.
 
-use crate::{Filling, Method, MethodError, SolverChoice, TensorInterior, TriangleInterior};
+use crate::{Displacement, Filling, Method, MethodError, SolverChoice, TensorInterior, TriangleInterior};
 
 /// Tables, meshes of pictures and stacks beside the arrays that are counted.
 const BESIDE: usize = 16 << 20;
+
+/// Inner nodes of a net that are sought at once at most: those of a displacement of the highest degree.
+const SOUGHT: usize = Displacement::MAX_INNER;
 
 /// Bytes of a vertex of a mesh: point, normal, parameters, curvatures, two triangles.
 const VERTEX: usize = 24 + 24 + 16 + 16 + 16 + 24;
@@ -66,7 +69,7 @@ fn of_formula(points: usize) -> usize {
 
 fn of_tensor(interior: TensorInterior, points: usize, free: usize) -> usize {
     match interior {
-        TensorInterior::LeastArea { .. } => of_least_area(free),
+        TensorInterior::LeastArea { .. } => of_least_area(free.min(SOUGHT)),
         TensorInterior::Extremal { solver: SolverChoice::Dense, .. } => of_dense(2, points, free),
         TensorInterior::Extremal { solver: SolverChoice::Auto | SolverChoice::Separable, .. }
         | TensorInterior::Mask { .. } => of_sparse(points),

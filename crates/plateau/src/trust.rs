@@ -100,6 +100,9 @@ fn of_least_area(found: &AreaExtremal, warnings: &mut Vec<Warning>) {
     if found.valley == ValleyEnd::Far {
         warnings.push(Warning::FarNet);
     }
+    if let Some(displacement) = found.displacement.filter(|displacement| !displacement.has_converged()) {
+        warnings.push(Warning::Displaced(displacement));
+    }
     if found.second_variation.is_some_and(|smallest| smallest < 0.0) {
         warnings.push(Warning::Unstable);
     }

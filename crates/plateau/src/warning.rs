@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-use crate::{AreaEnd, CutGain, Degeneracy, NoBound, NoEstimate, Notation};
+use crate::{AreaEnd, CutGain, Degeneracy, Displacement, NoBound, NoEstimate, Notation};
 
 /// What a reader must know before trusting a surface or its figures; shown as one sentence.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -151,6 +151,9 @@ pub enum Warning {
          nearly this area was found without that, and figures that depend on the parametrisation are unsure"
     )]
     FarNet,
+    /// The inside of a net of high degree was not sought to its own.
+    #[error("{0}")]
+    Displaced(Displacement),
     /// One patch over a boundary that is many times as long as wide.
     #[error("{}", of_slender(*ratio, cut.as_ref()))]
     Slender {
@@ -326,6 +329,7 @@ impl Warning {
             Self::AreaNotReached { .. } => Some("raise the degree, or loosen the tolerance"),
             Self::AreaRule { .. } => Some("try another degree or another start"),
             Self::FarNet => Some("cut the boundary into several patches, or lower the degree"),
+            Self::Displaced(_) => Some("give the boundary as a loop: several patches follow what one cannot"),
             Self::Slender { .. } => Some("give the boundary as a loop, which is cut across by itself"),
             Self::Unstable => Some("raise the degree, or move the start"),
             Self::NoArea { .. } => Some("check the boundary: its curves may coincide"),

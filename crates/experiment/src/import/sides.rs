@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use exchange::{Assembly, AssemblyOptions, CurveFile, Form, Shape};
-use plateau::{DegreeLimit, MAX_DEGREE, NearestCurve};
+use plateau::{DegreeLimit, NearestCurve};
 use surfaces::{Bezier, Point};
 
 use super::{CornerGap, ImportError, ImportOptions, printed};
@@ -183,27 +183,23 @@ impl Sides {
             }
             let _ = writeln!(text, "{} = {}", curve.name, printed::points(&curve.points));
         }
-        let (limit, extremals) = if self.curves.len() == 3 {
-            (DegreeLimit::TriangularLeastArea, DegreeLimit::Triangle.degree())
-        } else {
-            (DegreeLimit::LeastArea, MAX_DEGREE)
-        };
         let degree = self.curves.iter().map(|curve| curve.points.len() - 1).max().unwrap_or(0);
-        text += &methods(degree, limit, extremals);
+        text += &methods(degree, self.curves.len() == 3);
         text
     }
 }
 
-/// The methods that a boundary of this degree is offered; extremals are, to degree `extremals`.
-fn methods(degree: usize, limit: DegreeLimit, extremals: usize) -> String {
-    if degree <= limit.degree() {
+/// The methods that a boundary of this degree is offered.
+fn methods(degree: usize, is_triangular: bool) -> String {
+    let limit = DegreeLimit::TriangularLeastArea;
+    if !is_triangular || degree <= limit.degree() {
         return "\n[[method]]\nname = \"Dirichlet\"\nenergy = \"dirichlet\"\n\n\
                 [[method]]\nname = \"least area\"\nenergy = \"area\"\n"
             .into();
     }
     let left_out =
         format!("\n# no least area of degree {degree}: {limit}; `--degree 6` fits sides of a lower one\n");
-    let is_extremal = degree <= extremals;
+    let is_extremal = degree <= DegreeLimit::Triangle.degree();
     let method = if is_extremal { "energy = \"dirichlet\"" } else { "mask = \"dirichlet\"" };
     left_out + &format!("[[method]]\nname = \"Dirichlet\"\n{method}\n")
 }

@@ -223,13 +223,13 @@ impl Draft<'_> {
                 "write mask = \"dirichlet\" or construction = \"discrete-coons\", which are sound at higher degrees"
             }
             DegreeLimit::MetricSteps => {
-                "write energy = \"area\" without `metric-steps`: it goes farther than any number of steps, to degree 32"
+                "write energy = \"area\" without `metric-steps`: it goes farther than any number of steps, at every degree"
             }
             DegreeLimit::Harmonic => "write energy = \"laplacian\" over all four sides",
             DegreeLimit::LeastArea => {
-                "describe the sides with fewer control points (`plateau import --degree 6` fits them), give them as a loop, which several patches fill, or write energy = \"dirichlet\", which goes on to degree 64"
+                "leave out `basis`: polynomials of least area go on to degree 64; or write energy = \"dirichlet\", which does in every basis"
             }
-            DegreeLimit::Patches => "leave out `layers`: a single patch of least area goes on to degree 32",
+            DegreeLimit::Patches => "leave out `layers`: a single patch of least area goes on to degree 64",
             DegreeLimit::TriangularLeastArea => {
                 "describe the sides with fewer control points, or write mask = \"dirichlet\", which is sound at higher degrees"
             }

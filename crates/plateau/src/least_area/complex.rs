@@ -155,9 +155,9 @@ impl Space for Glued<'_> {
         Ok(of_values(f, |_| control, &self.topology.fixed))
     }
 
-    fn control(&self) -> Result<Matrix, MethodError> {
+    fn control(&self) -> Result<Option<Matrix>, MethodError> {
         let of_edges = self.family.coefficients()?;
-        Ok(of_nets(&of_edges, &of_edges))
+        Ok(Some(of_nets(&of_edges, &of_edges)))
     }
 
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {

@@ -9,6 +9,8 @@ use thiserror::Error;
 use super::assembly::{Assembly, Unknowns};
 use super::complex::Glued;
 use super::descent::Descent;
+use super::displaced::Displaced;
+use super::high_degree::is_of_high_degree;
 use super::space::Space;
 use super::tensor::Separated;
 use super::triangle::Triangular;
@@ -93,11 +95,31 @@ pub fn estimate_net(
     found: &AreaExtremal,
     progress: &dyn Progress,
 ) -> Result<AreaEstimate, MethodError> {
-    let by_degree = sequence(TensorPatch::bernstein(net.clone())?, found, |lower| {
+    let patch = TensorPatch::bernstein(net.clone())?;
+    if is_of_high_degree(&patch)? {
+        return Ok(by_displacements(patch, found, progress)?.estimate);
+    }
+    let by_degree = sequence(patch, found, |lower| {
         let raised = TensorPatch::bernstein(lower.net().raised(1))?;
         improved(&Separated::new(&raised, &raised.products()[0])?, &raised, progress)
     })?;
     at_corners(by_degree, &Complex::of_net(net)?, found, progress)
+}
+
+/// The estimate from displacements of the next degrees, which the net is raised to where it is none of theirs.
+fn by_displacements(
+    patch: TensorPatch,
+    found: &AreaExtremal,
+    progress: &dyn Progress,
+) -> Result<Series, MethodError> {
+    let mut degrees = found.displacement.map_or(patch.net().degrees(), |displacement| displacement.degrees);
+    sequence(patch, found, |lower| {
+        degrees = (degrees.0 + 1, degrees.1 + 1);
+        let (m, n) = lower.net().degrees();
+        let raise = degrees.0.saturating_sub(m).max(degrees.1.saturating_sub(n));
+        let raised = TensorPatch::bernstein(lower.net().raised(raise))?;
+        improved(&Displaced::new(&raised, degrees)?, &raised, progress)
+    })
 }
 
 /// The estimate from degrees, unless the complex has corners where layers lead lower.

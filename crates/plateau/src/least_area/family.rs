@@ -20,25 +20,25 @@ pub(super) struct Family {
     values: Matrix,
     /// From inner values of a function that vanishes at both ends to its inner coefficients, in two steps: (n − 1)² each.
     inner: [Matrix; 2],
-    /// Share of the size below which what stands between the two steps is rounding; 0 where nothing is dropped.
-    rounding: f64,
+    /// Whether rounding is dropped between the two steps.
+    drops: bool,
 }
 
-/// Degree from which coefficients of the size of rounding are dropped: control points are 2ⁿ times as large.
+/// Degree from which coefficients of the size of rounding are dropped, and that as a share of the size.
 const DROPPED_FROM: usize = 20;
+const DROPPED: f64 = 4.0 * f64::EPSILON;
 
 impl Family {
     /// Bernstein polynomials.
     pub(super) fn bernstein(family: &dyn Basis) -> Result<Self, MethodError> {
         let degree = family.count() - 1;
         let nodal = Nodal::new(degree)?;
-        let rounding = if degree >= DROPPED_FROM { 4.0 * f64::EPSILON } else { 0.0 };
         Ok(Self {
             nodes: nodal.nodes().to_vec(),
             values: table(family, nodal.nodes()),
             inner: [nodal.inner_lobatto(), nodal.inner_bernstein()],
             nodal: Arc::new(nodal),
-            rounding,
+            drops: degree >= DROPPED_FROM,
         })
     }
 
@@ -56,7 +56,7 @@ impl Family {
             nodes,
             inner: [inverse(&inner)?, Matrix::identity(count - 2)],
             values,
-            rounding: 0.0,
+            drops: false,
         })
     }
 
@@ -85,7 +85,7 @@ pub(super) fn inverse(matrix: &Matrix) -> Result<Matrix, MethodError> {
 }
 
 /// `left · net · rightᵀ` for a net of left.cols() × right.cols() points.
-fn transformed(left: &Matrix, net: &[Point], right: &Matrix) -> Vec<Point> {
+pub(super) fn transformed(left: &Matrix, net: &[Point], right: &Matrix) -> Vec<Point> {
     let (columns, width) = (right.cols(), right.rows());
     let sum = |row: &[f64], point: &dyn Fn(usize) -> Point| {
         row.iter().enumerate().fold(Point::ZERO, |sum, (k, &a)| sum + point(k) * a)
@@ -98,6 +98,11 @@ fn transformed(left: &Matrix, net: &[Point], right: &Matrix) -> Vec<Point> {
         .flat_map(|i| (0..width).map(move |j| (i, j)))
         .map(|(i, j)| sum(left.row(i), &|k| across[k * width + j]))
         .collect()
+}
+
+/// Drops coefficients in functions of rising degree that are rounding of a surface of some size: control points are 2ⁿ times as large.
+pub(super) fn without_rounding(coefficients: &mut [Point], size: f64) {
+    coefficients.iter_mut().filter(|c| c.norm() <= DROPPED * size).for_each(|c| *c = Point::ZERO);
 }
 
 /// The product of what two matrices do to the rows and columns of a net.
@@ -145,10 +150,8 @@ pub(super) fn displaced(
     let inner = || (1..rows - 1).flat_map(|i| (1..columns - 1).map(move |j| i * columns + j));
     let change: Vec<Point> = inner().map(|k| x[k] - base_nodes[k]).collect();
     let mut between = transformed(&u.inner[0], &change, &v.inner[0]);
-    let rounding = u.rounding.max(v.rounding);
-    if rounding > 0.0 {
-        let size = x.iter().chain(base_nodes).map(|p| p.norm()).fold(0.0, f64::max);
-        between.iter_mut().filter(|c| c.norm() <= rounding * size).for_each(|c| *c = Point::ZERO);
+    if u.drops || v.drops {
+        without_rounding(&mut between, x.iter().chain(base_nodes).map(|p| p.norm()).fold(0.0, f64::max));
     }
     for (k, change) in inner().zip(transformed(&u.inner[1], &between, &v.inner[1])) {
         net[k] += change;

@@ -212,6 +212,7 @@ fn extremal<S: Space>(
         mode: None,
         left_saddle,
         given_up: reached.beyond.max(0.0) * square,
+        displacement: None,
     }
 }
 

@@ -10,8 +10,11 @@ mod assembly;
 mod complex;
 mod corrections;
 mod descent;
+mod displaced;
+mod displacement;
 mod estimate;
 mod family;
+mod high_degree;
 mod minimisation;
 mod mode;
 mod normal_steps;
@@ -30,6 +33,7 @@ mod triangle;
 
 use surfaces::{Complex, TensorPatch, TrianglePatch};
 
+pub use displacement::{Displacement, DisplacementEnd};
 pub(crate) use estimate::costs_less;
 pub use estimate::{
     AreaEstimate, NoEstimate, estimate_complex, estimate_net, estimate_triangle, excess_of_complex,
@@ -42,6 +46,7 @@ pub use raised::{least_area_raised, least_area_triangle_raised};
 use crate::{MethodError, Progress};
 use complex::Glued;
 use descent::Descent;
+use high_degree::{is_of_high_degree, least_of_displaced};
 use minimisation::minimise;
 use space::Space;
 use tensor::{Separated, Sums};
@@ -74,6 +79,7 @@ pub fn least_area_from(
     progress: &dyn Progress,
 ) -> Result<(TensorPatch, AreaExtremal), MethodError> {
     match patch.products() {
+        _ if is_of_high_degree(patch)? => least_of_displaced(patch, None, starts, tolerance, progress),
         [product] => minimise(&Separated::new(patch, product)?, None, starts, tolerance, progress),
         _ => minimise(&Sums::new(patch)?, None, starts, tolerance, progress),
     }

@@ -5,6 +5,7 @@ use std::fmt;
 use energy::Integral;
 
 use super::Mode;
+use super::displacement::Displacement;
 
 /// What is known of a net of least area.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +53,8 @@ pub struct AreaExtremal {
     /// The area that was given up so that no control point lies far from the border and the parametrisation stays even (unit:
     /// length²): what a smaller tolerance gains at least. 0 if nothing was.
     pub given_up: f64,
+    /// How the inside of a net of high degree was sought; none for a net that was sought as a whole.
+    pub displacement: Option<Displacement>,
 }
 
 impl AreaExtremal {
@@ -61,7 +64,8 @@ impl AreaExtremal {
             true => format!(", which would gain {:.0e} of the area", self.given_up / self.area.value),
             false => String::new(),
         };
-        format!("{}; {}{given_up}", self.end, self.valley)
+        let displaced = self.displacement.map_or(String::new(), |displacement| format!("; {displacement}"));
+        format!("{}; {}{given_up}{displaced}", self.end, self.valley)
     }
 }
 

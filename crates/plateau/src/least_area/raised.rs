@@ -2,6 +2,8 @@
 
 use surfaces::{Net, TensorPatch, TriangleNet, TrianglePatch};
 
+use super::displacement::{Displacement, DisplacementEnd};
+use super::high_degree::least_of_displaced;
 use super::tensor::Separated;
 use super::triangle::Triangular;
 use super::{AreaExtremal, minimise};
@@ -25,7 +27,8 @@ fn levels(raise: usize) -> Vec<usize> {
 }
 
 /// The Bernstein–Bézier patch of least area on the border of `net` with its degrees raised by `raise`. Every raising on the way
-/// is solved from the one before, which it holds: raising does not enlarge the area. `starts` are nets of the raised degrees
+/// is solved from the one before, which it holds: raising does not enlarge the area. Beyond degree 16 what is inside is sought as displacements of
+/// lower degrees ([`Displacement`]). `starts` are nets of the raised degrees
 /// at hand.
 ///
 /// # Errors
@@ -44,7 +47,21 @@ pub fn least_area_raised(
         let starts = if level == raise { starts } else { &[] };
         minimise(&Separated::new(&patch, &patch.products()[0])?, lower.as_ref(), starts, tolerance, progress)
     };
-    one_after_the_other(raise, solve)
+    let (m, n) = net.degrees();
+    let given = m.max(n);
+    if given + raise <= Displacement::WHOLE {
+        return one_after_the_other(raise, solve);
+    }
+    let patch = TensorPatch::bernstein(net.raised(raise))?;
+    if given > Displacement::WHOLE {
+        return least_of_displaced(&patch, None, starts, tolerance, progress);
+    }
+    let level = Displacement::LOWEST.saturating_sub(given);
+    let (lower, found) = one_after_the_other(level, solve)?;
+    let displacement = Displacement { degrees: lower.net().degrees(), end: DisplacementEnd::Tolerance };
+    let found = AreaExtremal { displacement: Some(displacement), ..found };
+    let patch_of_lower = TensorPatch::bernstein(lower.net().raised(raise - level))?;
+    least_of_displaced(&patch, Some((patch_of_lower, found)), starts, tolerance, progress)
 }
 
 /// The triangular patch of least area on the border of `net` with its degree raised by `raise`: as [`least_area_raised`].

@@ -62,15 +62,15 @@ struct Reach {
 }
 
 impl Reach {
-    /// That of surfaces over one border, of which `x` is one.
-    fn new<S: Space>(space: &S, x: &[Point]) -> Result<Self, MethodError> {
+    /// That of surfaces over one border, of which `x` is one; none where nothing is asked of control points.
+    fn new<S: Space>(space: &S, x: &[Point]) -> Result<Option<Self>, MethodError> {
+        let Some(control) = space.control()? else { return Ok(None) };
         let topology = space.topology();
         // The nodes of the border lie on it, as its control points need not.
         let fixed = x.iter().zip(&topology.fixed).filter(|(_, fixed)| **fixed);
         let border: Vec<Point> = fixed.map(|(&x, _)| x).collect();
         let across = border.iter().flat_map(|a| border.iter().map(|b| a.distance(*b))).fold(0.0, f64::max);
-        let control = space.control()?;
-        Ok(Self {
+        Ok(Some(Self {
             control,
             border,
             // A box with a diagonal of at least `across` has an edge of at least a √3-th of it.
@@ -78,7 +78,7 @@ impl Reach {
             sizes: 1.0,
             rule: 0,
             floor: [0.0; 2],
-        })
+        }))
     }
 
     /// The sizes by which the furthest control point lies from the border, 1 if none lies further.
@@ -120,7 +120,7 @@ impl<S: Space> Descent<'_, '_, S> {
         if self.tolerance < LOOSE || topology.cells.iter().any(|cell| cell.len() > MOST_NODES) {
             return Ok(());
         }
-        let mut reach = Reach::new(self.rules.space, reference)?;
+        let Some(mut reach) = Reach::new(self.rules.space, reference)? else { return Ok(()) };
         // No more is asked of a surface than the reference has: its own control points may lie further away.
         reach.sizes = reach.sizes(topology, reference);
         // One and the same for all surfaces, whatever they are integrated by.

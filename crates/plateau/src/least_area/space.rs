@@ -38,8 +38,9 @@ pub(super) trait Space {
     /// control point.
     fn coefficients(&self, f: &[f64]) -> Result<Vec<f64>, MethodError>;
 
-    /// The matrix from the points of a cell at its nodes to its control points: (nodes)².
-    fn control(&self) -> Result<Matrix, MethodError>;
+    /// The matrix from the points of a cell at its nodes to its control points: (nodes)². None where control points are not asked to be
+    /// near.
+    fn control(&self) -> Result<Option<Matrix>, MethodError>;
 
     /// The cells as patches, with the points `x` at the nodes.
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError>;

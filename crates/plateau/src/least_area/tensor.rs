@@ -11,7 +11,7 @@ use super::space::{Frame, Space, Topology, of_values};
 use crate::MethodError;
 
 /// The net of the discrete Coons patch of a border, in the frame of the border.
-fn coons(patch: &TensorPatch) -> Result<(Frame, Net), MethodError> {
+pub(super) fn coons(patch: &TensorPatch) -> Result<(Frame, Net), MethodError> {
     let net = patch.net();
     let [u0, u1, v0, v1] = net.boundary();
     // The border decides the frame: inner points must not change any digit.
@@ -22,14 +22,18 @@ fn coons(patch: &TensorPatch) -> Result<(Frame, Net), MethodError> {
 }
 
 /// Which points of a net lie inside.
-fn inside(net: &Net) -> Vec<bool> {
+pub(super) fn inside(net: &Net) -> Vec<bool> {
     let (rows, columns) = (net.rows(), net.cols());
     let inner = |k: usize, count: usize| k > 0 && k + 1 < count;
     (0..rows * columns).map(|k| inner(k / columns, rows) && inner(k % columns, columns)).collect()
 }
 
 /// The patch on the net `inner` inside, in the frame, with the border of `patch`.
-fn with_inner(patch: &TensorPatch, frame: &Frame, inner: &[Point]) -> Result<TensorPatch, MethodError> {
+pub(super) fn with_inner(
+    patch: &TensorPatch,
+    frame: &Frame,
+    inner: &[Point],
+) -> Result<TensorPatch, MethodError> {
     let net = patch.net();
     let mut coordinates = net.coordinates();
     for (k, _) in inside(net).into_iter().enumerate().filter(|(_, inside)| *inside) {
@@ -53,13 +57,9 @@ impl Separated {
     pub(super) fn new(patch: &TensorPatch, product: &Product) -> Result<Self, MethodError> {
         let (frame, net) = coons(patch)?;
         // Cardinal functions of polynomials are known; those of any other family come by an inverse, with its rounding.
-        let family = |family: &Arc<dyn Basis>| {
-            let bernstein = Bernstein::new(family.count() - 1)?;
-            if is_bernstein(family.as_ref(), &bernstein) {
-                Family::bernstein(&bernstein)
-            } else {
-                Family::general(family)
-            }
+        let family = |family: &Arc<dyn Basis>| match bernstein(family.as_ref())? {
+            Some(bernstein) => Family::bernstein(&bernstein),
+            None => Family::general(family),
         };
         let (u, v) = (family(&product.u)?, family(&product.v)?);
         let base = net.points().to_vec();
@@ -69,10 +69,17 @@ impl Separated {
     }
 }
 
-/// Whether a family is that of the Bernstein polynomials: `Basis` does not say, its values do.
-fn is_bernstein(family: &dyn Basis, bernstein: &Bernstein) -> bool {
-    family.domain() == (0.0, 1.0)
-        && [0.12, 0.37, 0.81].iter().all(|&t| family.evaluate(t, 1) == bernstein.evaluate(t, 1))
+/// The Bernstein polynomials, if a family is theirs: `Basis` does not say, its values do.
+fn bernstein(family: &dyn Basis) -> Result<Option<Bernstein>, MethodError> {
+    let bernstein = Bernstein::new(family.count() - 1)?;
+    let is_alike = |t: &f64| family.evaluate(*t, 1) == bernstein.evaluate(*t, 1);
+    Ok((family.domain() == (0.0, 1.0) && [0.12, 0.37, 0.81].iter().all(is_alike)).then_some(bernstein))
+}
+
+/// Whether a patch is one of Bernstein polynomials.
+pub(super) fn is_polynomial(patch: &TensorPatch) -> Result<bool, MethodError> {
+    let [product] = patch.products() else { return Ok(false) };
+    Ok(bernstein(product.u.as_ref())?.is_some() && bernstein(product.v.as_ref())?.is_some())
 }
 
 impl Space for Separated {
@@ -115,8 +122,8 @@ impl Space for Separated {
         Ok(of_values(f, |x| displaced([&self.u, &self.v], &zero, &zero, x), &self.topology.fixed))
     }
 
-    fn control(&self) -> Result<Matrix, MethodError> {
-        Ok(of_nets(&self.u.coefficients()?, &self.v.coefficients()?))
+    fn control(&self) -> Result<Option<Matrix>, MethodError> {
+        Ok(Some(of_nets(&self.u.coefficients()?, &self.v.coefficients()?)))
     }
 
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {
@@ -243,8 +250,8 @@ impl Space for Sums {
         Ok(of_values(f, |x| times(&self.back, x), &self.topology.fixed))
     }
 
-    fn control(&self) -> Result<Matrix, MethodError> {
-        Ok(self.back.clone())
+    fn control(&self) -> Result<Option<Matrix>, MethodError> {
+        Ok(Some(self.back.clone()))
     }
 
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {

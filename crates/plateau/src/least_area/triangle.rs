@@ -134,8 +134,8 @@ impl Space for Triangular {
         Ok(of_values(f, |x| times(&self.back, x), &self.topology.fixed))
     }
 
-    fn control(&self) -> Result<Matrix, MethodError> {
-        Ok(self.back.clone())
+    fn control(&self) -> Result<Option<Matrix>, MethodError> {
+        Ok(Some(self.back.clone()))
     }
 
     fn patches(&self, x: &[Point]) -> Result<Vec<Box<dyn Patch>>, MethodError> {
