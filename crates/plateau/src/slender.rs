@@ -3,7 +3,7 @@
 use surfaces::{Complex, Net};
 
 use crate::cutting::{cut_slender, slenderness};
-use crate::{AreaEnd, AreaExtremal, MethodError, Progress, least_area_complex_near};
+use crate::{AreaEnd, AreaExtremal, Displacement, MethodError, Progress, least_area_complex_near};
 
 /// Control points up to which the least area of all pieces is looked for unasked.
 const FEW: usize = 2500;
@@ -41,7 +41,8 @@ fn cut_gain(
 ) -> Result<Option<CutGain>, MethodError> {
     let complex = cut_slender(whole)?;
     let (pieces, degree) = (complex.faces().len(), complex.degree());
-    if pieces * (degree + 1).pow(2) > FEW {
+    // Pieces are sought as a whole, at whatever degree.
+    if pieces * (degree + 1).pow(2) > FEW || degree > Displacement::WHOLE {
         return Ok(None);
     }
     let (_, cut) = least_area_complex_near(&complex, tolerance, progress)?;

@@ -165,7 +165,7 @@ const FEW: usize = 400;
 const FEW_AT_CORNERS: usize = 1700;
 
 /// What an estimate may cost where all steps to the surface, those at lower degrees among them, are counted: about a second.
-const SHORT: f64 = 1e10;
+const SHORT: f64 = 2e9;
 
 /// Whether an estimate costs less than the surface did, of so many faces, `at_corners` of them at corners where layers are tried: a step
 /// is counted with the sixth power of the degree, as its factorisations are.
