@@ -17,12 +17,14 @@ pub enum BasisError {
         max: usize,
     },
     /// A shape parameter of the GT basis makes a function negative or is not a number.
-    #[error("GT shape parameter θ{index} = {value:?} is outside [0, 4], where the basis is nonnegative")]
+    #[error("GT shape parameter θ{index} = {value:?} is outside [{}, {}], where the basis is nonnegative", range.0, range.1)]
     Shape {
         /// 1 for θ1 (acts at t = 0), 2 for θ2 (acts at t = 1).
         index: usize,
         /// The value given.
         value: f64,
+        /// Where it would be.
+        range: (f64, f64),
     },
     /// Both GT shape parameters are zero: G₁ of degree 2 vanishes and the functions are dependent.
     #[error(

@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::{Aht, At, Bernstein};
+use crate::{Aht, At, Bernstein, Gt};
 
 /// The enum, its list, which no variant can be left out of, and the names.
 macro_rules! basis_families {
@@ -49,7 +49,7 @@ macro_rules! basis_families {
 basis_families! {
     /// [`Bernstein`] polynomials of any degree.
     Bernstein = "bernstein", "Bernstein";
-    /// The [`Gt`](crate::Gt) functions of any degree from 2 on, with two shape parameters.
+    /// The [`Gt`] functions of any degree from 2 on, with two shape parameters.
     Gt = "gt", "GT";
     /// The six [`Aht`] functions on an interval.
     Aht = "aht", "AHT";
@@ -77,13 +77,19 @@ impl BasisFamily {
         }
     }
 
-    /// Whether it has the two shape parameters (θ1, θ2).
+    /// The names of its shape parameters, each in [`Gt::SHAPES`]; none of a family without.
+    #[must_use]
+    pub const fn parameters(self) -> &'static [&'static str] {
+        match self {
+            Self::Gt => &["θ1", "θ2"],
+            Self::Bernstein | Self::Aht | Self::At => &[],
+        }
+    }
+
+    /// Whether it has shape parameters.
     #[must_use]
     pub const fn has_shape(self) -> bool {
-        match self {
-            Self::Gt => true,
-            Self::Bernstein | Self::Aht | Self::At => false,
-        }
+        !self.parameters().is_empty()
     }
 
     /// The lengths of the intervals [0, span] on which it is nonnegative; none of a family that lives on [0, 1].
@@ -100,7 +106,6 @@ impl BasisFamily {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Gt;
 
     #[test]
     fn a_family_has_the_degrees_and_spans_it_says() {

@@ -42,15 +42,21 @@ impl Gt {
     /// [`BasisError::Dependent`] for (0, 0).
     pub fn new(degree: usize, shape: [f64; 2]) -> Result<Self, BasisError> {
         check_degree(degree)?;
+        Self::check_shape(shape)?;
+        Ok(Self { degree, rows: BinomialRows::new(degree - 2), shape })
+    }
+
+    /// Whether there is a family with shape parameters `[θ1, θ2]`, of whatever degree.
+    ///
+    /// # Errors
+    /// [`BasisError::Shape`] outside of [`Self::SHAPES`], [`BasisError::Dependent`] for (0, 0).
+    pub fn check_shape(shape: [f64; 2]) -> Result<(), BasisError> {
         for (i, &value) in shape.iter().enumerate() {
             if !(Self::SHAPES.0..=Self::SHAPES.1).contains(&value) {
-                return Err(BasisError::Shape { index: i + 1, value });
+                return Err(BasisError::Shape { index: i + 1, value, range: Self::SHAPES });
             }
         }
-        if shape == [0.0, 0.0] {
-            return Err(BasisError::Dependent);
-        }
-        Ok(Self { degree, rows: BinomialRows::new(degree - 2), shape })
+        if shape == [0.0, 0.0] { Err(BasisError::Dependent) } else { Ok(()) }
     }
 
     /// The degree n; there are n + 1 functions.

@@ -201,8 +201,8 @@ fn stacked_families_are_the_combinations_of_their_parts() {
 
 #[test]
 fn bad_parameters_are_errors_that_name_them() {
-    assert_eq!(Gt::new(3, [-0.1, 1.0]), Err(BasisError::Shape { index: 1, value: -0.1 }));
-    assert_eq!(Gt::new(3, [1.0, 4.5]), Err(BasisError::Shape { index: 2, value: 4.5 }));
+    assert_eq!(Gt::new(3, [-0.1, 1.0]), Err(BasisError::Shape { index: 1, value: -0.1, range: Gt::SHAPES }));
+    assert_eq!(Gt::new(3, [1.0, 4.5]), Err(BasisError::Shape { index: 2, value: 4.5, range: Gt::SHAPES }));
     assert!(matches!(Gt::new(3, [f64::NAN, 1.0]), Err(BasisError::Shape { index: 1, .. })));
     assert_eq!(Gt::new(3, [0.0, 0.0]), Err(BasisError::Dependent));
     assert!(matches!(Gt::new(1, [1.0, 1.0]), Err(BasisError::Degree { degree: 1, min: 2, .. })));

@@ -106,15 +106,15 @@ impl ShapeForm {
 }
 
 impl ShapeForm {
-    /// Q at shape (α1, α2, β1, β2): over all points of the net, row by row; symmetric, positive semidefinite.
-    pub fn matrix(&self, [a1, a2, b1, b2]: [f64; 4]) -> Matrix {
+    /// Q at the [`coordinates`](ShapedFamily::coordinates) of a shape: over all points of the net, row by row; symmetric, positive semidefinite.
+    pub fn matrix(&self, [a1, a2, b1, b2]: [f64; ShapedFamily::COORDINATES]) -> Matrix {
         let left: Vec<Matrix> = self.left.iter().map(|gram| gram.at([a1, a2])).collect();
         let right: Vec<Matrix> = self.right.iter().map(|gram| gram.at([b1, b2])).collect();
         self.assembled(&left, &right)
     }
 
-    /// ∂Q by the shape parameter of index `k` in 0 … 3 at a shape: symmetric.
-    pub fn derivative(&self, [a1, a2, b1, b2]: [f64; 4], k: usize) -> Matrix {
+    /// ∂Q by the coordinate of index `k` at the [`coordinates`](ShapedFamily::coordinates) of a shape: symmetric.
+    pub fn derivative(&self, [a1, a2, b1, b2]: [f64; ShapedFamily::COORDINATES], k: usize) -> Matrix {
         let of = |grams: &[GramPolynomial], shape: [f64; 2], by: Option<usize>| -> Vec<Matrix> {
             grams
                 .iter()

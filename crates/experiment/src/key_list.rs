@@ -59,7 +59,8 @@ pub fn key_list() -> String {
             } else {
                 format!(" ({} only)", head.over.join(", "))
             };
-            let doc = if head.doc.is_empty() { "see below" } else { head.doc };
+            let doc = head.doc.phrase();
+            let doc = if doc.is_empty() { "see below" } else { &doc };
             let row =
                 format!("| `{}` | {admits} | {default} | {}{over} |", head.name, doc.replace('|', "\\|"));
             let _ = writeln!(page, "{row}");

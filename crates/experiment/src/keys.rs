@@ -10,6 +10,7 @@ pub(crate) mod method;
 pub(crate) mod net;
 pub(crate) mod output;
 pub(crate) mod search;
+pub(crate) mod shape;
 pub(crate) mod sweep;
 
 use crate::text::{Inner, Key, OneOrSeveral, Section, Several, Text, Ways, Whole};

@@ -23,6 +23,7 @@ mod table;
 mod value;
 mod vector;
 mod whole;
+mod words;
 
 pub(crate) use depth::depth_after;
 pub(crate) use document::parse;

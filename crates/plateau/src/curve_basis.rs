@@ -30,7 +30,7 @@ impl CurveBasis {
     /// # Errors
     /// [`MethodError::Basis`] for others.
     pub fn gt(shape: [f64; 2]) -> Result<Self, MethodError> {
-        Gt::new(*BasisFamily::Gt.degrees().start(), shape)?;
+        Gt::check_shape(shape)?;
         Ok(Self(Of::Gt { shape }))
     }
 

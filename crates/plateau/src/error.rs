@@ -254,12 +254,14 @@ pub enum MethodError {
 }
 
 /// Which parameters a family has.
-fn parameters(family: BasisFamily) -> &'static str {
+fn parameters(family: BasisFamily) -> String {
     match (family.has_shape(), family.spans().is_some()) {
-        (false, false) => "they have none beside their degree",
-        (true, false) => "a shape (θ1, θ2) is theirs; they live on [0, 1]",
-        (false, true) => "the length of their interval is theirs, and no shape",
-        (true, true) => "a shape and the length of their interval are theirs",
+        (false, false) => "they have none beside their degree".to_owned(),
+        (true, false) => {
+            format!("a shape ({}) is theirs; they live on [0, 1]", family.parameters().join(", "))
+        }
+        (false, true) => "the length of their interval is theirs, and no shape".to_owned(),
+        (true, true) => "a shape and the length of their interval are theirs".to_owned(),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Families of tensor patches with shape parameters: one table of them, which whatever builds, searches, reads or names them follows.
 
 use std::borrow::Cow;
+use std::ops::Range;
 use std::sync::Arc;
 
 use bases::{Basis, BasisError, BasisFamily, Gt, GtBubbles, GtParts, Lobatto, Matrix, Stacked};
@@ -153,20 +154,42 @@ impl ShapedFamily {
         }
     }
 
-    /// Which of the four [`coordinates`](Self::coordinates) each parameter is.
+    /// What is wrong with a shape, whatever the degree, and which of its parameters are at fault: the first fault that there is.
+    ///
+    /// ```
+    /// use bases::BasisError;
+    /// use surfaces::ShapedFamily;
+    ///
+    /// assert_eq!(ShapedFamily::Gt.fault(&[1.0, 2.0, 0.0, 0.0]), Some((2..4, BasisError::Dependent)));
+    /// assert_eq!(ShapedFamily::Gt.fault(&[1.0, 0.0, 0.0, 3.0]), None);
+    /// ```
+    #[must_use]
+    pub fn fault(self, shape: &[f64]) -> Option<(Range<usize>, BasisError)> {
+        match self {
+            Self::Gt | Self::TbCoons => shape.chunks_exact(2).enumerate().find_map(|(k, pair)| {
+                Gt::check_shape([pair[0], pair[1]]).err().map(|error| (2 * k..2 * k + 2, error))
+            }),
+        }
+    }
+
+    /// How many [`coordinates`](Self::coordinates) there are: two in u, then two in v.
+    pub const COORDINATES: usize = 4;
+
+    /// Which of the [`coordinates`](Self::coordinates) each parameter is.
     const fn places(self) -> &'static [usize] {
         match self {
             Self::Gt | Self::TbCoons => &[0, 1, 2, 3],
         }
     }
 
-    /// The shape in the coordinates in which the functions are affine, two in u and two in v; those that no parameter is are 0.
+    /// The shape in the coordinates in which the functions are affine, two in u and two in v, whatever its parameters are; those that no
+    /// parameter is are 0.
     ///
     /// # Errors
     /// [`SurfaceError::ShapeCount`] unless there is one number for each parameter.
-    pub fn coordinates(self, shape: &[f64]) -> Result<[f64; 4], SurfaceError> {
+    pub fn coordinates(self, shape: &[f64]) -> Result<[f64; Self::COORDINATES], SurfaceError> {
         self.has_whole_shapes(shape, 1)?;
-        let mut coordinates = [0.0; 4];
+        let mut coordinates = [0.0; Self::COORDINATES];
         self.places().iter().zip(shape).for_each(|(&place, &parameter)| coordinates[place] = parameter);
         Ok(coordinates)
     }
@@ -178,10 +201,10 @@ impl ShapedFamily {
     pub fn coordinates_of_all(self, shapes: &[f64]) -> Result<Cow<'_, [f64]>, SurfaceError> {
         let count = self.places().len();
         self.has_whole_shapes(shapes, shapes.len() / count)?;
-        if count == 4 {
+        if count == Self::COORDINATES {
             return Ok(Cow::Borrowed(shapes));
         }
-        let mut all = Vec::with_capacity(4 * (shapes.len() / count));
+        let mut all = Vec::with_capacity(Self::COORDINATES * (shapes.len() / count));
         for shape in shapes.chunks_exact(count) {
             all.extend(self.coordinates(shape)?);
         }
@@ -198,7 +221,7 @@ impl ShapedFamily {
 
     /// A derivative by the [`coordinates`](Self::coordinates) as one by the parameters: the transpose of their Jacobian matrix.
     #[must_use]
-    pub fn by_parameters(self, by_coordinates: [f64; 4]) -> Vec<f64> {
+    pub fn by_parameters(self, by_coordinates: [f64; Self::COORDINATES]) -> Vec<f64> {
         self.places().iter().map(|&place| by_coordinates[place]).collect()
     }
 
@@ -221,11 +244,11 @@ impl ShapedFamily {
         })
     }
 
-    /// The derivatives of `patch`, one of this family, by its four [`coordinates`](Self::coordinates), the net held: patches of their own.
+    /// The derivatives of `patch`, one of this family, by its [`coordinates`](Self::coordinates), the net held: patches of their own.
     ///
     /// # Errors
     /// [`SurfaceError::Size`] if `patch` is none of this family.
-    pub fn derivatives(self, patch: &TensorPatch) -> Result<[TensorPatch; 4], SurfaceError> {
+    pub fn derivatives(self, patch: &TensorPatch) -> Result<[TensorPatch; Self::COORDINATES], SurfaceError> {
         let factors = self.factors(patch.net().degrees())?;
         let by = |k: usize| -> Result<TensorPatch, SurfaceError> {
             let mut products = Vec::new();

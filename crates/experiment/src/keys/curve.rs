@@ -1,10 +1,11 @@
 //! `[curve]`: one curve, sampled.
 
-use bases::{Aht, At, BasisFamily, Gt};
+use bases::{Aht, At, BasisFamily};
 use plateau::{CurveFunction, MAX_DEGREE};
 use serde_json::{Map, Value as Json, json};
 use serde_spanned::Spanned;
 
+use super::shape::{self, OF_A_CURVE};
 use crate::text::{Form, Interval, Key, Kind, List, Name, Place, Points, Reals, Section, Value, Ways, Whole};
 
 /// Largest |coordinate| of a point: its square stays finite. Derivatives that do not are told apart when they are computed.
@@ -69,21 +70,20 @@ pub(crate) struct Shapes;
 /// A pair of shape parameters.
 pub(crate) type Pair = Vec<Spanned<f64>>;
 
-const PAIR: Reals = Reals::exactly(2, Interval::between(Gt::SHAPES.0, Gt::SHAPES.1));
 const PAIRS: List<Reals> =
-    List { each: PAIR, least: 1, most: MOST_SHAPES, example: "[[0.5, 0.5], [1.0, 2.0]]" };
+    List { each: OF_A_CURVE, least: 1, most: MOST_SHAPES, example: "[[0.5, 0.5], [1.0, 2.0]]" };
 
 impl Form for Shapes {
     fn expected(&self) -> String {
-        PAIR.expected()
+        OF_A_CURVE.expected()
     }
 
     fn admits(&self) -> String {
-        format!("{}, or {}", PAIR.admits(), PAIRS.admits())
+        format!("{}, or {}", OF_A_CURVE.admits(), PAIRS.admits())
     }
 
     fn schema(&self) -> Map<String, Json> {
-        let forms = [Json::Object(PAIR.schema()), Json::Object(PAIRS.schema())];
+        let forms = [Json::Object(OF_A_CURVE.schema()), Json::Object(PAIRS.schema())];
         [("anyOf".to_owned(), json!(forms))].into_iter().collect()
     }
 }
@@ -96,7 +96,7 @@ impl Kind for Shapes {
         if value.get_ref().as_array().is_some_and(|list| is_list(list)) {
             return PAIRS.read(place, value);
         }
-        PAIR.read(place, value).map(|pair| vec![Spanned::new(value.span(), pair)])
+        OF_A_CURVE.read(place, value).map(|pair| vec![Spanned::new(value.span(), pair)])
     }
 }
 
@@ -107,12 +107,8 @@ pub(crate) static BASIS: Key<Name<BasisFamily>> =
     Key::new("basis", FAMILIES, "the basis of the control points: \"bernstein\", \"gt\", \"aht\" or \"at\"")
         .required()
         .such_as("\"gt\"");
-pub(crate) static SHAPE: Key<Shapes> = Key::new(
-    "shape",
-    Shapes,
-    "the shape parameters [θ1, θ2] of the GT basis; or several such pairs, for a curve each, all in one picture",
-)
-.hint("the GT basis has two shape parameters, each in [0, 4]: write shape = [theta1, theta2]");
+pub(crate) static SHAPE: Key<Shapes> =
+    Key::new("shape", Shapes, "").meaning(shape::meaning_of_a_curve).advice(shape::advice_of_a_curve);
 pub(crate) static SPAN: Key<Interval> = Key::new(
     "span",
     Interval::below(At::MIN_SPAN.min(Aht::MIN_SPAN), Aht::SUPREMUM.max(At::SUPREMUM)),

@@ -6,7 +6,8 @@ use plateau::{
 };
 use serde_json::{Map, Value as Json, json};
 
-use super::expect;
+use super::shape::SHAPES;
+use super::{expect, shape};
 use crate::text::{
     Flag, Form, Inner, Interval, Key, Kind, Name, OneOrSeveral, Place, Reals, Section, Text, Value, Ways,
     Whole,
@@ -150,31 +151,8 @@ pub(crate) static BASIS: Key<Name<Option<ShapedFamily>>> = Key::new(
 )
 .or("\"bernstein\"")
 .over(NETS);
-/// The shapes of all families: as many numbers as one of them has, each in the range of one.
-pub(crate) const SHAPES: Reals = {
-    let (mut least, mut most) = (usize::MAX, 0);
-    let mut k = 0;
-    while k < ShapedFamily::ALL.len() {
-        let count = ShapedFamily::ALL[k].parameters().len();
-        if count < least {
-            least = count;
-        }
-        if count > most {
-            most = count;
-        }
-        k += 1;
-    }
-    let (lower, upper) = ShapedFamily::WIDEST_RANGE;
-    Reals { least, most, each: Interval::between(lower, upper) }
-};
-
-pub(crate) static SHAPE: Key<Reals> = Key::new(
-    "shape",
-    SHAPES,
-    "the shape parameters [a1, a2, b1, b2] of the GT basis, a in u, b in v",
-)
-.hint("write shape = [a1, a2, b1, b2], a in u and b in v, each in [0, 4]: outside, the GT functions become negative")
-.over(&[TENSOR]);
+pub(crate) static SHAPE: Key<Reals> =
+    Key::new("shape", SHAPES, "").meaning(shape::meaning).advice(shape::advice).over(&[TENSOR]);
 pub(crate) static SEARCH: Key<Searching> = Key::new(
     "search",
     Searching,

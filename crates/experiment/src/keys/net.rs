@@ -5,7 +5,7 @@ use plateau::{MAX_COORDINATE, MAX_DEGREE};
 
 use super::curve::FAMILIES;
 use super::helicoid::SHORTEST;
-use super::method::SHAPES;
+use super::shape::{self, SHAPES};
 use crate::text::{Interval, Key, List, Name, Points, Reals, Section, Ways};
 
 /// Most cuts of one direction.
@@ -39,12 +39,8 @@ pub(crate) static POINTS: Key<List<Points>> = Key::new(
 .hint(
     "write points = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]: a list of rows, each a list of points",
 );
-pub(crate) static SHAPE: Key<Reals> = Key::new(
-    "shape",
-    SHAPES,
-    "the shape parameters [a1, a2, b1, b2] of the GT functions, a in u, b in v",
-)
-.hint("write shape = [a1, a2, b1, b2], a in u and b in v, each in [0, 4]: outside, the GT functions become negative");
+pub(crate) static SHAPE: Key<Reals> =
+    Key::new("shape", SHAPES, "").meaning(shape::meaning).advice(shape::advice);
 pub(crate) static U_SPAN: Key<Interval> = Key::new(
     "u-span",
     SPAN,

@@ -2,7 +2,7 @@
 
 use plateau::Search;
 
-use super::method::SHAPES;
+use super::shape::{SHAPES, advice_of_a_box};
 use crate::text::{Interval, Key, Name, Reals, Section, Ways, Whole};
 
 /// Who informs a particle.
@@ -47,16 +47,10 @@ pub(crate) static SOCIAL: Key<Interval> = Key::new(
 pub(crate) static COGNITIVE: Key<Interval> =
     Key::new("cognitive", Interval::between(0.0, 10.0), "the pull c2 towards the particle's own best")
         .or("1.5");
-pub(crate) static BOX: Key<Reals> = Key::new(
-    "box",
-    Reals::exactly(2, SHAPES.each),
-    "the lower and the upper bound of every shape parameter",
-)
-.or("[0.5, 3.5]")
-.hint(
-    "write box = [lower, upper] with 0 ≤ lower < upper ≤ 4: the GT functions are nonnegative exactly for shape parameters in \
-     [0, 4]; the papers use [0.5, 3.5]",
-);
+pub(crate) static BOX: Key<Reals> =
+    Key::new("box", Reals::exactly(2, SHAPES.each), "the lower and the upper bound of every shape parameter")
+        .or("[0.5, 3.5]")
+        .advice(advice_of_a_box);
 pub(crate) static NEIGHBOURS: Key<Whole<usize>> = Key::new(
     "neighbours",
     Whole::between(1, 500_000),

@@ -10,7 +10,7 @@ use surfaces::Point;
 use super::Wanted;
 use super::built::built;
 use super::expected::check::{Subject, wanted};
-use super::shape::shape_of_curve;
+use super::shape::basis_of_curve;
 use crate::keys::curve::{BASIS, ENDS, FUNCTION, POINTS, Pair, SAMPLES, SHAPE, SPAN, Sampling};
 use crate::text::{Entry, Given, Interval, PointList, Table, shown};
 
@@ -175,9 +175,7 @@ fn of_gt(table: &Table<'_>, shapes: &Shapes) -> Option<Vec<CurveBasis>> {
     if shapes.pairs.is_absent() {
         table.missing("shape", &SHAPE.head().remedy());
     }
-    let basis =
-        |pair: &Spanned<Pair>| built(table, pair.span(), CurveBasis::gt(shape_of_curve(table, pair)?));
-    shapes.pairs.value()?.iter().map(basis).collect()
+    shapes.pairs.value()?.iter().map(|pair| basis_of_curve(table, pair)).collect()
 }
 
 /// The length of the domain, below the bound of its basis.

@@ -13,6 +13,7 @@ use super::expected::check::{Subject, wanted};
 use super::shape::fixed_shape;
 use crate::keys::helicoid::SHORTEST;
 use crate::keys::net::{BASIS, BOUNDS, POINTS, SHAPE, U_CUTS, U_SPAN, V_CUTS, V_SPAN};
+use crate::keys::shape::needed;
 use crate::text::{Entry, Given, Interval, Key, PointList, Reals, Table, shown};
 
 type Rows = Spanned<Vec<Spanned<PointList>>>;
@@ -43,10 +44,7 @@ pub(super) fn net(table: &Table<'_>, expect: Given<Table<'_>>) -> Option<(OwnNet
                 "3 or more: the GT basis begins at degree 2",
             );
             if shape.is_absent() {
-                table.missing(
-                    "shape",
-                    "the GT basis has four shape parameters, each in [0, 4]: shape = [1.0, 1.0, 1.0, 1.0]",
-                );
+                table.missing("shape", &needed(ShapedFamily::Gt));
             }
             let Given::Sound(shape) = &shape else { return None };
             fixed_shape(table, ShapedFamily::Gt, shape).filter(|_| sized).map(NetBasis::Shaped)

@@ -1,10 +1,13 @@
 //! Shape parameters: given, searched, or none.
 
-use plateau::{Energy, Family, FixedShape, SearchEnergy, SearchMode, ShapedFamily};
+use bases::BasisError;
+use plateau::{CurveBasis, Energy, Family, FixedShape, MethodError, SearchEnergy, SearchMode, ShapedFamily};
 use serde_spanned::Spanned;
 
+use super::built::built;
 use super::draft::Draft;
 use crate::keys::method::Searched;
+use crate::keys::shape::needed;
 use crate::text::{Given, Table};
 
 /// What a method says of its shape parameters.
@@ -78,13 +81,7 @@ impl Draft<'_> {
             (Given::Absent, Some(mode)) => Some(Shape::Search(mode)),
             (Given::Sound(shape), None) => fixed_shape(&self.table, family, shape).map(Shape::Fixed),
             (Given::Absent, None) => {
-                let (from, to) = family.range();
-                let help = format!(
-                    "{} needs shape parameters: give shape = [{}], each in [{from}, {to}], or find them by search = true",
-                    family.title(),
-                    family.parameters().join(", ")
-                );
-                self.table.missing("shape", &help);
+                self.table.missing("shape", &format!("{}, or find them by search = true", needed(family)));
                 None
             }
         }
@@ -97,13 +94,11 @@ pub(super) fn fixed_shape(
     family: ShapedFamily,
     numbers: &Spanned<Vec<Spanned<f64>>>,
 ) -> Option<FixedShape> {
-    let is_sound = match family {
-        ShapedFamily::Gt | ShapedFamily::TbCoons => has_no_zero_pair(table, numbers),
-    };
-    if !is_sound {
+    let values: Vec<f64> = numbers.get_ref().iter().map(|number| *number.get_ref()).collect();
+    if let Some((pair, BasisError::Dependent)) = family.fault(&values) {
+        dependent(table, &numbers.get_ref()[pair.clone()], pair.start / pair.len());
         return None;
     }
-    let values = numbers.get_ref().iter().map(|number| *number.get_ref()).collect();
     let made = FixedShape::new(family, values);
     made.map_err(|error| {
         let (from, to) = family.range();
@@ -117,28 +112,24 @@ pub(super) fn fixed_shape(
     .ok()
 }
 
-/// The two shape parameters of a curve in the GT basis, which are not both 0.
-pub(super) fn shape_of_curve(table: &Table<'_>, numbers: &Spanned<Vec<Spanned<f64>>>) -> Option<[f64; 2]> {
-    if !has_no_zero_pair(table, numbers) {
+/// The basis of a curve with these shape parameters.
+pub(super) fn basis_of_curve(table: &Table<'_>, numbers: &Spanned<Vec<Spanned<f64>>>) -> Option<CurveBasis> {
+    let values: Vec<f64> = numbers.get_ref().iter().map(|number| *number.get_ref()).collect();
+    let made = CurveBasis::gt(values.try_into().ok()?);
+    if let Err(MethodError::Basis(BasisError::Dependent)) = made {
+        dependent(table, numbers.get_ref(), 0);
         return None;
     }
-    let values: Vec<f64> = numbers.get_ref().iter().map(|number| *number.get_ref()).collect();
-    values.try_into().ok()
+    built(table, numbers.span(), made)
 }
 
-/// Whether no pair of shape parameters is (0, 0); what is wrong is reported.
-fn has_no_zero_pair(table: &Table<'_>, numbers: &Spanned<Vec<Spanned<f64>>>) -> bool {
-    let numbers = numbers.get_ref();
-    for (k, pair) in numbers.chunks_exact(2).enumerate() {
-        if pair.iter().all(|number| *number.get_ref() == 0.0) {
-            table.faults().inadmissible(
-                pair[0].span().start..pair[pair.len() - 1].span().end,
-                format!("a pair of shape parameters of {} is (0, 0)", table.name()),
-                ["both of the first pair are zero", "both of the second pair are zero"][k.min(1)],
-                "make one of the two positive: at (0, 0) the GT functions are linearly dependent",
-            );
-            return false;
-        }
-    }
-    true
+/// Reports that the `k`-th pair of shape parameters makes no basis.
+fn dependent(table: &Table<'_>, pair: &[Spanned<f64>], k: usize) {
+    let which = ["first", "second"][k.min(1)];
+    table.faults().inadmissible(
+        pair[0].span().start..pair[pair.len() - 1].span().end,
+        format!("a pair of shape parameters of {} is (0, 0)", table.name()),
+        format!("both of the {which} pair are zero"),
+        "make one of the two positive: at (0, 0) the GT functions are linearly dependent",
+    );
 }

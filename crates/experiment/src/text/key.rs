@@ -7,6 +7,7 @@ use super::form::Form;
 use super::head::Head;
 use super::kind::Kind;
 use super::value::Value;
+use super::words::Words;
 
 /// A key: its name, what it means, and the kind of value it takes.
 #[derive(Clone, Copy)]
@@ -18,8 +19,14 @@ pub(crate) struct Key<K> {
 impl<K: Copy> Key<K> {
     /// A key that may be left out.
     pub(crate) const fn new(name: &'static str, kind: K, doc: &'static str) -> Self {
-        let head = Head { name, doc, default: None, hint: "", required: false, over: &[], example: None };
+        let (doc, hint) = (Words::Written(doc), Words::Written(""));
+        let head = Head { name, doc, default: None, hint, required: false, over: &[], example: None };
         Self { head, kind }
+    }
+
+    /// What it means, made of what others say of themselves.
+    pub(crate) const fn meaning(self, make: fn() -> String) -> Self {
+        Self { head: Head { doc: Words::Made(make), ..self.head }, ..self }
     }
 
     /// A key whose value is a table, or tables, which say themselves what they are for.
@@ -44,7 +51,12 @@ impl<K: Copy> Key<K> {
 
     /// What to do about a value that is refused or missing.
     pub(crate) const fn hint(self, hint: &'static str) -> Self {
-        Self { head: Head { hint, ..self.head }, ..self }
+        Self { head: Head { hint: Words::Written(hint), ..self.head }, ..self }
+    }
+
+    /// The same, made of what others say of themselves.
+    pub(crate) const fn advice(self, make: fn() -> String) -> Self {
+        Self { head: Head { hint: Words::Made(make), ..self.head }, ..self }
     }
 
     /// Its table is nothing without it.
@@ -67,8 +79,9 @@ pub(crate) trait Entry: Sync {
     /// Its JSON Schema.
     fn schema(&self) -> Json {
         let mut schema = Map::new();
-        if !self.head().doc.is_empty() {
-            schema.insert("description".into(), json!(sentence(self.head().doc)));
+        let doc = self.head().doc.phrase();
+        if !doc.is_empty() {
+            schema.insert("description".into(), json!(sentence(&doc)));
         }
         if let Some(default) = self.head().default {
             schema.insert("default".into(), json_of(default));

@@ -36,9 +36,11 @@ impl FixedShape {
     /// # Errors
     /// [`SurfaceError::ShapeCount`] for another number of them, [`SurfaceError::Basis`] where the family has no such shape.
     pub fn new(family: ShapedFamily, parameters: Vec<f64>) -> Result<Self, SurfaceError> {
-        let degree = family.least_degree();
-        family.bubbles((degree, degree), &parameters)?;
-        Ok(Self { family, parameters })
+        family.coordinates(&parameters)?;
+        match family.fault(&parameters) {
+            Some((_, error)) => Err(error.into()),
+            None => Ok(Self { family, parameters }),
+        }
     }
 
     /// The family.

@@ -2,13 +2,16 @@ use optim::{Objective, Smooth};
 use solve::{Parametric, SeparableParametric, SolveError};
 use surfaces::ShapedFamily;
 
-/// The minimum of an energy over the free points, as a function of the four coordinates in which families are affine.
+/// The coordinates of a shape.
+pub(super) type Coordinates = [f64; ShapedFamily::COORDINATES];
+
+/// The minimum of an energy over the free points, as a function of the coordinates in which families are affine.
 pub(super) trait AffineMinimum: Sync {
-    /// At four coordinates a value, one value after the other; NaN where there is no minimum.
+    /// A value for the coordinates of each place, one after the other; NaN where there is no minimum.
     fn values(&self, coordinates: &[f64], values: &mut [f64]) -> Result<(), SolveError>;
 
     /// At one place, with its gradient.
-    fn value_and_gradient(&self, coordinates: &[f64; 4], gradient: &mut [f64; 4]) -> f64;
+    fn value_and_gradient(&self, coordinates: &Coordinates, gradient: &mut Coordinates) -> f64;
 }
 
 impl AffineMinimum for Parametric {
@@ -16,7 +19,7 @@ impl AffineMinimum for Parametric {
         self.values(coordinates, values)
     }
 
-    fn value_and_gradient(&self, coordinates: &[f64; 4], gradient: &mut [f64; 4]) -> f64 {
+    fn value_and_gradient(&self, coordinates: &Coordinates, gradient: &mut Coordinates) -> f64 {
         self.value_and_gradient(coordinates, gradient)
     }
 }
@@ -26,7 +29,7 @@ impl AffineMinimum for SeparableParametric {
         self.values(coordinates, values)
     }
 
-    fn value_and_gradient(&self, coordinates: &[f64; 4], gradient: &mut [f64; 4]) -> f64 {
+    fn value_and_gradient(&self, coordinates: &Coordinates, gradient: &mut Coordinates) -> f64 {
         self.value_and_gradient(coordinates, gradient)
     }
 }
@@ -59,7 +62,7 @@ impl<M: AffineMinimum> Smooth for AtShapes<M> {
 
     fn value_and_gradient(&self, point: &[f64], gradient: &mut [f64]) -> f64 {
         let Ok(coordinates) = self.family.coordinates(point) else { return f64::NAN };
-        let mut by_coordinates = [0.0; 4];
+        let mut by_coordinates = [0.0; ShapedFamily::COORDINATES];
         let value = self.minimum.value_and_gradient(&coordinates, &mut by_coordinates);
         gradient.copy_from_slice(&self.family.by_parameters(by_coordinates));
         value

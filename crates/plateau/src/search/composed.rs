@@ -6,6 +6,7 @@ use optim::{Objective, Smooth};
 use solve::{Cholesky, Partition, solve_partitioned};
 use surfaces::{Net, ShapedFamily, TensorPatch};
 
+use super::at_shapes::Coordinates;
 use super::least_area::{LeastArea, derivatives};
 use crate::{Energy, MethodError, SearchEnergy};
 
@@ -46,7 +47,7 @@ struct Extremal {
 struct Varied {
     value: f64,
     by_points: Vec<f64>,
-    held: [f64; 4],
+    held: Coordinates,
 }
 
 impl Varied {
@@ -115,7 +116,7 @@ impl<'a> Composed<'a> {
     }
 
     /// F of a patch at the coordinates of a shape, with its derivatives.
-    fn outer_varied(&self, patch: &TensorPatch, at: [f64; 4]) -> Result<Varied, MethodError> {
+    fn outer_varied(&self, patch: &TensorPatch, at: Coordinates) -> Result<Varied, MethodError> {
         let quadratic = |form: &ShapeForm| {
             let x = patch.net().coordinates();
             let image = applied(&form.matrix(at), &x);

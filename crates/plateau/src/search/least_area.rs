@@ -6,6 +6,7 @@ use energy::area_derivative;
 use optim::{Objective, Smooth};
 use surfaces::{Net, ShapedFamily, TensorPatch};
 
+use super::at_shapes::Coordinates;
 use crate::{MethodError, Progress, least_area};
 
 /// `A(α)`, the area of the area extremal at shape α; its gradient is the partial derivative of the area by the shape, the net
@@ -56,8 +57,8 @@ pub(super) fn derivatives(
     family: ShapedFamily,
     patch: &TensorPatch,
     points: usize,
-) -> Result<[f64; 4], MethodError> {
-    let mut by_coordinates = [0.0; 4];
+) -> Result<Coordinates, MethodError> {
+    let mut by_coordinates = [0.0; ShapedFamily::COORDINATES];
     for (derivative, direction) in by_coordinates.iter_mut().zip(&family.derivatives(patch)?) {
         *derivative = area_derivative(patch, direction, points)?;
     }

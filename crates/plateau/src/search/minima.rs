@@ -76,7 +76,7 @@ impl Smooth for Minima {
 
     fn value_and_gradient(&self, shape: &[f64], gradient: &mut [f64]) -> f64 {
         let found = self.extremal(shape).and_then(|patch| {
-            let mut by_coordinates = [0.0; 4];
+            let mut by_coordinates = [0.0; ShapedFamily::COORDINATES];
             for (derivative, direction) in by_coordinates.iter_mut().zip(&self.family.derivatives(&patch)?) {
                 *derivative = 2.0 * self.form(&patch, direction)?;
             }
