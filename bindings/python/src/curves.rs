@@ -7,6 +7,7 @@ use surfaces::{CurveError, EllipseArc, Point, SplineCurve};
 
 use crate::arrays::{array, coordinates, points};
 use crate::errors::BoundaryError;
+use crate::spelling::spelled;
 use crate::watch::watched;
 
 /// A curve as the package has it: the fields of `plateau_patches.Curve`.
@@ -75,7 +76,7 @@ pub(crate) fn read_curves<'py>(
     let file = watched(py, None, move |_| exchange::read_curves(&given, &called))?
         .map_err(|error| BoundaryError::new_err(format!("{name}: {error}")))?;
     let curves = file.curves.into_iter().map(|curve| fields(py, curve)).collect::<PyResult<_>>()?;
-    Ok((curves, file.notes))
+    Ok((curves, file.notes.iter().map(|note| note.told(&spelled)).collect()))
 }
 
 fn fields(py: Python<'_>, curve: FileCurve) -> PyResult<Fields<'_>> {

@@ -12,6 +12,7 @@ use surfaces::{BoundaryCurve, Vertex};
 use crate::arrays::points;
 use crate::curves::Given;
 use crate::errors::{BoundaryError, of_method};
+use crate::spelling::spelled;
 use crate::surface::Surface;
 use crate::watch::watched;
 
@@ -113,9 +114,9 @@ pub(crate) fn fill_loops(
     let file = CurveFile { kind: Kind::Table, curves, unit: None, notes: Vec::new() };
     options.surface(py, told.as_ref(), move |options, fill, progress| {
         let filling = Filling::new(vec![file], &options.curves());
-        let filling = filling.map_err(|error| BoundaryError::new_err(error.to_string()))?;
+        let filling = filling.map_err(|error| BoundaryError::new_err(error.told(&spelled)))?;
         let film = filling.span(fill, progress).map_err(|error| of_method(&error))?;
-        Ok((film, filling.notes().to_vec()))
+        Ok((film, filling.notes().iter().map(|note| note.told(&spelled)).collect()))
     })
 }
 

@@ -9,6 +9,7 @@ mod errors;
 mod fill;
 mod page;
 mod run;
+mod spelling;
 mod surface;
 mod watch;
 

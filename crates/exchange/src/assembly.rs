@@ -1,8 +1,9 @@
 //! One boundary of the curves of a file.
 
+use plateau::counted;
 use surfaces::Point;
 
-use crate::{CurveFile, FileCurve};
+use crate::{CurveFile, FileCurve, Sentence, Setting};
 
 mod copies;
 mod corner;
@@ -45,7 +46,7 @@ pub struct Assembly {
     /// The diagonal of the box around all curves.
     pub size: f64,
     /// Sentences a user should see.
-    pub notes: Vec<String>,
+    pub notes: Vec<Sentence>,
 }
 
 impl Assembly {
@@ -90,13 +91,14 @@ impl Assembly {
         }
         gap::none(&network, file, &weld)?;
         if weld.count > 0 {
-            notes.push(format!(
-                "{} of curves welded, moved by at most {:.2e} ({:.1e} of the size; --weld {:.2e})",
-                if weld.count == 1 { "1 end".into() } else { format!("{} ends", weld.count) },
+            let welded = format!(
+                "{} of curves welded, moved by at most {:.2e} ({:.1e} of the size; ",
+                counted(weld.count, "end"),
                 weld.largest,
                 weld.largest / size,
-                weld.tolerance
-            ));
+            );
+            let tolerance = format!("{:.2e}", weld.tolerance);
+            notes.push(Sentence::from(welded).value(Setting::Weld, tolerance).text(")"));
         }
         let corners = corner::find(&network, file, angle.to_radians(), &mut notes);
         let (mut vertices, mut sides) = side::sides(&network, file, &corners, size);

@@ -18,6 +18,8 @@ pub use kind::Kind;
 pub use shape::Shape;
 pub(crate) use trim::halved;
 
+use crate::Sentence;
+
 /// Reads the curves of a file. What it is follows from its content, and from `name` (`rim.obj`; `-` says nothing) where the
 /// content leaves it open. Coordinates are the file's own: no unit is converted.
 ///
@@ -33,6 +35,6 @@ pub fn read_curves(bytes: &[u8], name: &str) -> Result<CurveFile, CurveFileError
         Kind::Step => step::read(&text),
         Kind::Dxf => dxf::read(&text),
     }?;
-    file.notes.extend(recoded);
+    file.notes.extend(recoded.map(Sentence::from));
     Ok(file)
 }

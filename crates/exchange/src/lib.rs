@@ -23,6 +23,7 @@
 //! | one boundary of many curves | [`Assembly`], [`AssemblyOptions`], [`Form`], [`Side`], [`Walk`], [`Weld`], [`AssemblyError`]; [`Frame`], [`FrameError`] |
 //! | files of surfaces | [`SurfaceFile`] in a [`Format`], which says what of [`Lengths`], of a [`Subject`], [`Colours`]; [`SurfaceForm`], [`Unfit`], [`DEFAULT_TOLERANCE`], [`StepForm`] |
 //! | what the numbers of files are | [`LengthUnit`] |
+//! | what is said of all that | [`Sentence`], which speaks of a [`Setting`] |
 //! | the B-spline of a surface | [`spline()`] with its [`Accuracy`]; [`SplineError`] |
 //! | others | [`write_curves()`], [`write_deformation()`], [`diagonal()`] |
 
@@ -30,11 +31,13 @@
 
 mod assembly;
 mod curves;
+mod sentence;
 mod unit;
 mod writers;
 
 pub use assembly::{Assembly, AssemblyError, AssemblyOptions, Form, Frame, FrameError, Side, Walk, Weld};
 pub use curves::{CurveFile, CurveFileError, FileCurve, Kind, Shape, read_curves};
+pub use sentence::{Sentence, Setting};
 pub use unit::LengthUnit;
 pub use writers::{
     Accuracy, Colours, DEFAULT_TOLERANCE, Format, Lengths, SplineError, StepForm, Subject, SurfaceFile,

@@ -67,7 +67,7 @@ fn trims_by_points_and_by_parameters() {
         assert_eq!(ends(&file), [right], "{trim}");
         let middle = file.curves[0].shape.sampled()[16];
         assert!(middle.x > 1.4 && middle.y > 1.4 && (radius(&file.curves[0].shape) - 2.0).abs() < 1e-12);
-        assert_eq!(file.notes.iter().any(|note| note.contains("millimetres")), !units.is_empty());
+        assert_eq!(file.notes.iter().any(|note| note.to_string().contains("millimetres")), !units.is_empty());
     }
 }
 
@@ -111,7 +111,11 @@ fn of_a_shell_the_free_edges_are_read() {
              #84=PLANE('',#6);\n#85=ADVANCED_FACE('',(#82),#84,.T.);\n#86=ADVANCED_FACE('',(#83),#84,.T.);\n";
     let file = read("shell.step", &step(&data));
     assert_eq!(file.curves.len(), 4);
-    assert!(file.notes.iter().any(|note| note.contains("5 edges of 2 faces the 4")), "{:?}", file.notes);
+    assert!(
+        file.notes.iter().any(|note| note.to_string().contains("5 edges of 2 faces the 4")),
+        "{:?}",
+        file.notes
+    );
 }
 
 #[test]
@@ -182,7 +186,7 @@ fn entities_of_drawings() {
     ] {
         let file = read("d.dxf", &dxf(entity));
         assert_eq!((ends(&file), file.curves[0].name.as_str()), (vec![right], "rim"), "{entity}");
-        assert!(file.notes[0].contains("millimetres"));
+        assert!(file.notes[0].to_string().contains("millimetres"));
     }
     // A half circle by its bulge runs through the middle above.
     let file = read("-", &dxf("0 LWPOLYLINE 90 3 70 1 10 2 20 0 42 1 10 -2 20 0 10 0 20 -3"));

@@ -75,12 +75,12 @@ fn tables_without_sides_are_loops() {
         let file = read("t.csv", text);
         assert!(file.curves.len() == 1 && file.curves[0].closes && file.curves[0].name.is_empty(), "{text}");
         assert_eq!(points(&file, 0), [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.]]);
-        assert!(file.notes.iter().any(|note| note.contains("one loop")), "{:?}", file.notes);
+        assert!(file.notes.iter().any(|note| note.to_string().contains("one loop")), "{:?}", file.notes);
     }
     let flat = read("t.csv", "x;y\n0;0\n1;0,5\n");
     assert!(
         points(&flat, 0) == [[0., 0., 0.], [1., 0.5, 0.]]
-            && flat.notes.iter().any(|note| note.contains("z = 0"))
+            && flat.notes.iter().any(|note| note.to_string().contains("z = 0"))
     );
     assert_eq!(read("t.dat", "0 0 0\n1 0 0\n\n0 0 1\n1 0 1\n").curves.len(), 2);
 }
@@ -114,7 +114,7 @@ fn lines_of_obj_files() {
     assert_eq!(points(&file, 0), [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.]]);
     // Counted from where it stands: the last vertex then was the second.
     assert_eq!(points(&file, 1), [[1., 0., 0.], [0., 1., 0.]]);
-    assert!(file.notes[0].contains("1 faces of a mesh"));
+    assert!(file.notes[0].to_string().contains("1 faces of a mesh"));
     // What it is follows from its content.
     assert_eq!(read("-", "v 0 0 0\nv 1 0 0\nl 1 2\n").kind, Kind::Obj);
     for (text, word) in [

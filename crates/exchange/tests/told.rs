@@ -40,7 +40,7 @@ proptest! {
         };
         let assembly = assembled(&text).unwrap();
         let Form::Loops(loops) = &assembly.form else { panic!("a loop") };
-        let note = assembly.notes.iter().find(|note| note.starts_with("polylines have")).unwrap();
+        let note = assembly.notes.iter().map(ToString::to_string).find(|note| note.starts_with("polylines have")).unwrap();
         let told = match note.split_once(" more where the file begins another side") {
             Some((before, _)) => counts(before).iter().sum(),
             None => counts(note.split(';').next().unwrap()).first().copied().unwrap_or(0),
@@ -74,9 +74,9 @@ proptest! {
         let double = assembled(&text).unwrap();
         prop_assert_eq!(&single.form, &double.form);
         prop_assert_eq!(single.vertices.len(), double.vertices.len());
-        let note = double.notes.iter().find(|note| note.starts_with("given twice")).unwrap();
+        let note = double.notes.iter().find(|note| note.to_string().starts_with("given twice")).unwrap();
         let line = |k: usize| format!("the curve of line {k}");
-        prop_assert!(note.contains(&line(2)) && note.contains(&line(last + 3)), "{}", note);
+        prop_assert!(note.to_string().contains(&line(2)) && note.to_string().contains(&line(last + 3)), "{}", note);
     }
 
     /// Points of one line bound nothing, wherever it lies.
@@ -100,5 +100,8 @@ fn a_segment_that_two_curves_share_is_told_by_both() {
     // Two panels, each with its whole rim.
     let panels = "side,x,y,z\na,0,0,0\na,1,0,0\na,1,1,0\na,0,0,0\nb,0,0,0\nb,1,1,0\nb,0,1,1\nb,0,0,0\n";
     let notes = assembled(panels).unwrap().notes;
-    assert!(notes.iter().any(|note| note.contains("1 segment of a (line 2) in b (line 6)")), "{notes:?}");
+    assert!(
+        notes.iter().any(|note| note.to_string().contains("1 segment of a (line 2) in b (line 6)")),
+        "{notes:?}"
+    );
 }

@@ -62,7 +62,11 @@ fn every_kind_of_file_says_what_its_numbers_are() {
         let file = read(name, &text);
         assert_eq!(file.unit, unit, "{text}");
         if let Some(unit) = unit {
-            assert!(file.notes.iter().any(|note| note.contains(unit.plural())), "{:?}", file.notes);
+            assert!(
+                file.notes.iter().any(|note| note.to_string().contains(unit.plural())),
+                "{:?}",
+                file.notes
+            );
         }
     }
     let two = read_curves(table("x [mm],y [m],z [mm]").as_bytes(), "a.csv").unwrap_err().to_string();

@@ -1,6 +1,6 @@
 //! Boundaries from files: curves in, a ready experiment out.
 
-use exchange::{Assembly, AssemblyError, read_curves};
+use exchange::{Assembly, AssemblyError, Sentence, read_curves};
 use plateau::Fill;
 
 use crate::Plan;
@@ -46,7 +46,9 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
         control::ask(&file)?;
     }
     let (title, output) = (title(name), printed::output(file.unit));
-    let said = |more: &[String]| -> Vec<String> { file.notes.iter().chain(more).cloned().collect() };
+    let said = |more: &[Sentence]| -> Vec<String> {
+        file.notes.iter().chain(more).map(Sentence::to_string).collect()
+    };
     let apart = match Sides::of_file(&file, options) {
         Ok(Some(sides)) => return checked(sides.printed(&title, &said(&[])) + &output),
         Ok(None) => None,

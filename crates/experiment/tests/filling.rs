@@ -178,7 +178,7 @@ fn control_points_that_make_no_curve_say_what_to_do() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// A `--weld` that is proposed is taken, and joins what it was proposed for.
+    /// A weld that is proposed is taken, and joins what it was proposed for.
     #[test]
     fn a_weld_that_is_proposed_is_one_that_joins(gaps in prop::collection::vec(0.0..0.7, 8), is_named in any::<bool>()) {
         let names: &[&str] = if is_named { &["u0", "v1", "u1", "v0"] } else { &["a", "b", "c", "d"] };
@@ -194,7 +194,7 @@ proptest! {
         for _ in 0..5 {
             let Err(error) = import(text.as_bytes(), "-", &options) else { break };
             let said = error.to_string();
-            let Some((_, proposed)) = said.split_once("`--weld ") else { break };
+            let Some((_, proposed)) = said.split_once("`weld ") else { break };
             let proposed: f64 = proposed.split('`').next().unwrap().parse().unwrap();
             prop_assert!(options.assembly.weld.is_none_or(|given| proposed > given), "{}", said);
             options.assembly.weld = Some(proposed);

@@ -122,7 +122,7 @@ fn what_makes_no_boundary_is_told() {
         (
             "a,0,0,0\na,2,0,0\nb,2,0,0\nb,2,2,0\nc,2,2,0\nc,0.3,0.5,0\n".into(),
             None,
-            "c ends at (0.3, 0.5, 0), a gap of 0.5831. Ends within 2.83e-4 are welded: a side may be missing there, or `--weld 0.59`",
+            "c ends at (0.3, 0.5, 0), a gap of 0.5831. Ends within 2.83e-4 are welded: a side may be missing there, or `weld 0.59`",
         ),
         // No weld that would be refused is offered.
         (
@@ -224,7 +224,7 @@ fn ends_are_welded_within_a_share_of_the_size() {
         ..ImportOptions::default()
     };
     let refused = import(text.as_bytes(), "sloppy.csv", &strict).unwrap_err().to_string();
-    assert!(refused.contains("a gap of 0.0001") && refused.contains("--weld 0.00011"), "{refused}");
+    assert!(refused.contains("a gap of 0.0001") && refused.contains("weld 0.00011"), "{refused}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ use record::{Destination, ExportError, StoredMethod, StoredResult};
 
 use crate::command::{ExportArguments, ImportArguments};
 use crate::failure::Failure;
+use crate::spelling::spelled;
 use crate::terminal::{line, say};
 
 /// Writes the files; one that is refused keeps none of the others back.
@@ -91,7 +92,7 @@ pub(crate) fn import(arguments: &ImportArguments, stdout: &mut impl Write) -> Re
     match text {
         Ok(experiment) => Ok(stdout.write_all(experiment.as_bytes())?),
         Err(error) => {
-            say(&format!("error: {}: {error}", file.display()));
+            say(&format!("error: {}: {}", file.display(), error.told(&spelled)));
             Err(Failure::Input)
         }
     }

@@ -13,6 +13,7 @@ use crate::command::FillArguments;
 use crate::conversion::contents;
 use crate::failure::Failure;
 use crate::interrupt::listen;
+use crate::spelling::{ESTIMATE, spelled};
 use crate::terminal::{line, say};
 
 mod output;
@@ -26,16 +27,16 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     let outputs = outputs.collect::<Result<Vec<_>, Failure>>()?;
     let name = names(&arguments.files);
     let files = arguments.files.iter().map(|path| curves(path)).collect::<Result<Vec<_>, Failure>>()?;
-    let filling =
-        Filling::new(files, &options(arguments)).map_err(|error| Failure::of_input(&name, error))?;
+    let filling = Filling::new(files, &options(arguments))
+        .map_err(|error| Failure::of_input(&name, error.told(&spelled)))?;
     let filling = match arguments.unit {
         Some(unit) => filling.with_unit(unit),
         None => filling,
     };
-    filling.notes().iter().for_each(|note| say(&format!("note: {note}")));
+    filling.notes().iter().for_each(|note| say(&format!("note: {}", note.told(&spelled))));
     let fill = method(arguments);
     let film = spanned(&filling, &fill, &name, arguments.quiet)?;
-    for (name, value) in film_figures(&film, filling.rim_source()) {
+    for (name, value) in film_figures(&film, filling.rim_source(), ESTIMATE) {
         line(stdout, &format!("{name:<16}{value}"))?;
     }
     stdout.flush()?;
@@ -54,8 +55,8 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
 fn curves(path: &Path) -> Result<CurveFile, Failure> {
     let read = contents(path).map_err(ImportError::from);
     let read = read.and_then(|bytes| Ok(read_curves(&bytes, &path.to_string_lossy())?));
-    let file = read.map_err(|error| Failure::of_input(path.display(), error))?;
-    file.notes.iter().for_each(|note| say(&format!("note: {note}")));
+    let file = read.map_err(|error| Failure::of_input(path.display(), error.told(&spelled)))?;
+    file.notes.iter().for_each(|note| say(&format!("note: {}", note.told(&spelled))));
     Ok(file)
 }
 

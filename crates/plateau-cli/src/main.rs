@@ -25,6 +25,7 @@ mod manual;
 mod outcome;
 mod outlet;
 mod sources;
+mod spelling;
 mod sweeps;
 mod terminal;
 mod threads;

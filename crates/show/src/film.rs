@@ -14,10 +14,12 @@ pub struct RimSource {
 }
 
 /// What a film is, as names and values: the area with all of its error, how far it is from the least, how it was cut, what its rim is.
+///
+/// `estimate` says, in the words of whoever asks, what has the least area estimated where that was too costly.
 #[must_use]
-pub fn film_figures(film: &Film, rim: RimSource) -> Vec<(&'static str, String)> {
+pub fn film_figures(film: &Film, rim: RimSource, estimate: &str) -> Vec<(&'static str, String)> {
     let mut rows = vec![("area", area(film))];
-    rows.extend(least_area(film).map(|text| ("least area", text)));
+    rows.extend(least_area(film, estimate).map(|text| ("least area", text)));
     if let Some(bound) = &film.bound {
         let text = format!("≥ {}, proved of {}", figure(bound.value), bound.competitors.name());
         rows.push(("least area", text));
@@ -65,16 +67,15 @@ fn area(film: &Film) -> String {
 }
 
 /// What is estimated of the least area over the rim, or why nothing is.
-fn least_area(film: &Film) -> Option<String> {
+fn least_area(film: &Film, estimate: &str) -> Option<String> {
     if let Some(estimate) = film.estimate {
         return Some(format!("about {} less (estimated)", Notation::Order.of(estimate)));
     }
     let is_reached =
         film.extremal.as_ref()?.end == AreaEnd::Stationary && film.extremal.as_ref()?.area.settled;
     let is_told = film.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)));
-    (is_reached && !is_told).then(|| {
-        "not estimated, which would cost more than the surface did; --accuracy 1e-6 estimates it".into()
-    })
+    (is_reached && !is_told)
+        .then(|| format!("not estimated, which would cost more than the surface did; {estimate}"))
 }
 
 fn faces(film: &Film) -> String {

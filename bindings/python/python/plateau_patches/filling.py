@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
@@ -136,17 +135,8 @@ def fill(
     all_curves = list(loops) if isinstance(loops, Curves) else _curves(loops)
     if not all_curves:
         raise BoundaryError("there is no loop")
-    try:
-        handle, more = _engine.fill_loops(all_curves, options, progress)
-    except BoundaryError as error:
-        raise BoundaryError(_in_python(str(error))) from None
-    return Surface(handle, warnings=notes + [_in_python(note) for note in more])
-
-
-def _in_python(note: str) -> str:
-    """A sentence that names options of the command, with those of :func:`fill`."""
-    note = note.replace("--tolerance ", "rim_tolerance=")
-    return re.sub(r"--(weld|corner-angle) (\S+?)(?=[\s);,`]|$)", lambda m: f"{m[1].replace('-', '_')}={m[2]}", note)
+    handle, more = _engine.fill_loops(all_curves, options, progress)
+    return Surface(handle, warnings=notes + more)
 
 
 def _curves(loops: Any) -> list[Curve]:

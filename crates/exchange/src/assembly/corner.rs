@@ -1,7 +1,7 @@
 //! Where sides end.
 
 use super::network::Network;
-use crate::{CurveFile, Kind};
+use crate::{CurveFile, Kind, Sentence, Setting};
 
 /// The share of the angle of corners above which a point that stands alone between two corners is one, too: nobody samples a curve by its
 /// middle.
@@ -9,7 +9,7 @@ const LONE: f64 = 0.25;
 
 /// The nodes in which sides end: where other than two links meet, beside a curve that is no polyline, at corners, and where a
 /// file begins another side.
-pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut Vec<String>) -> Vec<bool> {
+pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut Vec<Sentence>) -> Vec<bool> {
     let incidence = network.incidence();
     let mut is_vertex = vec![false; network.points.len()];
     let mut turns: Vec<f64> = Vec::new();
@@ -60,7 +60,7 @@ pub(super) fn find(network: &Network, file: &CurveFile, angle: f64, notes: &mut 
 }
 
 /// A sentence on the corners that were found by their turn, on the ends of sides that a file has besides, and on what is left.
-fn said(turns: &[f64], joints: &[f64], sharpest: f64, angle: f64) -> String {
+fn said(turns: &[f64], joints: &[f64], sharpest: f64, angle: f64) -> Sentence {
     let degrees = |turn: f64| format!("{:.0}°", turn.to_degrees());
     let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
     let corners = match turns.len() {
@@ -79,11 +79,9 @@ fn said(turns: &[f64], joints: &[f64], sharpest: f64, angle: f64) -> String {
             )
         }
     };
-    format!(
-        "polylines have {corners}{joints}; elsewhere they turn by {} at most (--corner-angle {:.0})",
-        degrees(sharpest),
-        angle.to_degrees()
-    )
+    let found =
+        format!("polylines have {corners}{joints}; elsewhere they turn by {} at most (", degrees(sharpest));
+    Sentence::from(found).value(Setting::CornerAngle, format!("{:.0}", angle.to_degrees())).text(")")
 }
 
 /// The other ends of two links at a node.

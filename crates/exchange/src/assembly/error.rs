@@ -1,5 +1,7 @@
 use thiserror::Error;
 
+use crate::{Sentence, Setting};
+
 /// Why curves make no boundary.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -24,11 +26,22 @@ pub enum AssemblyError {
     Line,
     /// Ends of curves that meet nothing.
     #[error("{0}")]
-    Gap(String),
+    Gap(Sentence),
     /// More than can be understood without being told.
     #[error("{0}")]
     Ambiguous(String),
     /// Too much work.
     #[error("{0}")]
-    TooMany(String),
+    TooMany(Sentence),
+}
+
+impl AssemblyError {
+    /// What is wrong, with settings spelled like this.
+    #[must_use]
+    pub fn told(&self, spelled: &dyn Fn(Setting, Option<&str>) -> String) -> String {
+        match self {
+            Self::Gap(sentence) | Self::TooMany(sentence) => sentence.told(spelled),
+            Self::Option { .. } | Self::NoSize | Self::Line | Self::Ambiguous(_) => self.to_string(),
+        }
+    }
 }

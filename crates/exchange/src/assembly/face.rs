@@ -5,6 +5,7 @@ use surfaces::Point;
 use super::cycle_basis::{self, Arc};
 use super::walk::named;
 use super::{AssemblyError, Side, Walk};
+use crate::Sentence;
 
 /// Most paths between junctions.
 const MOST_ARCS: usize = 400;
@@ -20,11 +21,14 @@ pub(super) fn faces(
     }
     let paths = paths(sides, at);
     if paths.len() > MOST_ARCS {
-        return Err(AssemblyError::TooMany(format!(
-            "the curves are a graph of {} paths between junctions; the faces of up to {MOST_ARCS} are found, those of more have to be said \
-             by [[face]] tables in an experiment",
-            paths.len()
-        )));
+        return Err(AssemblyError::TooMany(
+            format!(
+                "the curves are a graph of {} paths between junctions; the faces of up to {MOST_ARCS} are found, those of more have to \
+                 be said by [[face]] tables in an experiment",
+                paths.len()
+            )
+            .into(),
+        ));
     }
     let arcs: Vec<Arc> = paths
         .iter()

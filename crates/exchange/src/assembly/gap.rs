@@ -6,7 +6,7 @@ use surfaces::Point;
 use super::network::Network;
 use super::weld::MOST_WELDED;
 use super::{AssemblyError, Weld};
-use crate::{CurveFile, Kind};
+use crate::{CurveFile, Kind, Sentence, Setting};
 
 /// Most gaps that are named.
 const NAMED: usize = 4;
@@ -33,7 +33,7 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
     let mut text = String::from("the curves do not close: ");
     if pairs.is_empty() {
         text += &format!("{}, where nothing meets it", whose(free[0]));
-        return Err(AssemblyError::Gap(text));
+        return Err(AssemblyError::Gap(text.into()));
     }
     let named: Vec<String> = pairs
         .iter()
@@ -62,9 +62,10 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
     // A wider weld is refused.
     if widest <= MOST_WELDED * surfaces::extent(&network.points) {
         let all = if pairs.len() == 1 { "them" } else { "them all" };
-        text += &format!(", or `--weld {}` joins {all}", rounded_up(widest));
+        let wider = Sentence::from(text + ", or `").value(Setting::Weld, rounded_up(widest));
+        return Err(AssemblyError::Gap(wider.text(format!("` joins {all}"))));
     }
-    Err(AssemblyError::Gap(text))
+    Err(AssemblyError::Gap(text.into()))
 }
 
 /// Each free end with the nearest other one and their distance; the smallest gaps first, each once.

@@ -2,6 +2,7 @@
 
 use super::network::{Link, Network};
 use super::{AssemblyError, Weld};
+use crate::{Sentence, Setting};
 
 /// Most pairs of an end and a segment looked at.
 const MOST_PAIRS: usize = 20_000_000;
@@ -11,10 +12,11 @@ pub(super) fn split(network: &mut Network, tolerance: f64, weld: &mut Weld) -> R
     let degrees = network.degrees();
     let free: Vec<usize> = (0..degrees.len()).filter(|node| degrees[*node] == 1).collect();
     if free.len().saturating_mul(network.links.len()) > MOST_PAIRS {
-        return Err(AssemblyError::TooMany(format!(
-            "{} ends of curves meet nothing: is this the boundary of a surface? Leave out what is not, or join curves within --weld",
+        let many = format!(
+            "{} ends of curves meet nothing: is this the boundary of a surface? Leave out what is not, or join curves within ",
             free.len()
-        )));
+        );
+        return Err(AssemblyError::TooMany(Sentence::from(many).setting(Setting::Weld)));
     }
     for end in free {
         let p = network.points[end];

@@ -6,7 +6,7 @@ use surfaces::Point;
 
 use super::AssemblyError;
 use super::copies::Copies;
-use crate::{CurveFile, Shape};
+use crate::{CurveFile, Sentence, Shape};
 
 /// A segment of a polyline or a whole curve of another kind, from node to node.
 #[derive(Debug, Clone)]
@@ -34,7 +34,7 @@ pub(super) struct Network {
 }
 
 impl Network {
-    pub(super) fn new(file: &CurveFile, notes: &mut Vec<String>) -> Result<Self, AssemblyError> {
+    pub(super) fn new(file: &CurveFile, notes: &mut Vec<Sentence>) -> Result<Self, AssemblyError> {
         let mut network = Self {
             points: Vec::new(),
             links: Vec::new(),
@@ -73,7 +73,7 @@ impl Network {
             }
         }
         if !repeats.is_empty() {
-            notes.push(said(file, &repeats));
+            notes.push(said(file, &repeats).into());
         }
         Ok(network)
     }
@@ -164,7 +164,7 @@ impl Network {
 
     /// Drops what stands twice: segments between the same nodes, curves of other kinds with the same nodes and the same middle. A note
     /// says which.
-    pub(super) fn drop_copies(&mut self, file: &CurveFile, size: f64, notes: &mut Vec<String>) {
+    pub(super) fn drop_copies(&mut self, file: &CurveFile, size: f64, notes: &mut Vec<Sentence>) {
         let mut segments: HashMap<[usize; 2], usize> = HashMap::new();
         let mut middles: HashMap<[usize; 2], Vec<(Point, usize)>> = HashMap::new();
         let mut copies = Copies::new(self.links.iter().map(|link| link.curve), file);
@@ -190,7 +190,7 @@ impl Network {
             }
             first.is_none()
         });
-        notes.extend(copies.said());
+        notes.extend(copies.said().map(Sentence::from));
     }
 }
 

@@ -6,6 +6,7 @@ use surfaces::Point;
 
 use super::AssemblyError;
 use super::network::Network;
+use crate::{Sentence, Setting};
 
 /// What was welded.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -42,9 +43,10 @@ pub(super) fn weld(network: &mut Network, tolerance: f64) -> Result<Weld, Assemb
         for other in grid.near(network.points[end]) {
             looked_at += 1;
             if looked_at > MOST_PAIRS {
-                return Err(AssemblyError::TooMany(format!(
-                    "too many points lie within {tolerance:.2e} of each other to find which ends should meet: give a smaller --weld"
-                )));
+                let many = format!(
+                    "too many points lie within {tolerance:.2e} of each other to find which ends should meet: give a smaller "
+                );
+                return Err(AssemblyError::TooMany(Sentence::from(many).setting(Setting::Weld)));
             }
             let distance = network.points[end].distance(network.points[other]);
             if other == end || distance > tolerance {

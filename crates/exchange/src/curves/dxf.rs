@@ -6,7 +6,7 @@ use surfaces::{EllipseArc, Point, SplineCurve};
 
 use super::limits::{self, LARGEST_COORDINATE, MOST_CURVES, MOST_POINTS, MOST_RECORDS};
 use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape, trim};
-use crate::LengthUnit;
+use crate::{LengthUnit, Sentence, Setting};
 
 mod entity;
 mod polyline;
@@ -58,7 +58,7 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
     }
     file.unit = unit.and_then(Result::ok);
     file.notes.extend(unit.map(said_of_unit));
-    file.notes.extend(said_of(&passed_over));
+    file.notes.extend(said_of(&passed_over).map(Sentence::from));
     if file.curves.is_empty() {
         let found = file.notes.last().map_or_else(String::new, |note| format!(" ({note})"));
         return Err(CurveFileError::File(format!(
@@ -69,13 +69,15 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
 }
 
 /// What is said of the unit of lengths, or of the number of one that is not known.
-fn said_of_unit(unit: Result<LengthUnit, &str>) -> String {
+fn said_of_unit(unit: Result<LengthUnit, &str>) -> Sentence {
     match unit {
-        Ok(unit) => format!("lengths are in {}, as in the file", unit.plural()),
-        Err(code) => format!(
-            "lengths are in the unit of number {} ($INSUNITS), which is none of those that are known; --unit says what they are",
+        Ok(unit) => format!("lengths are in {}, as in the file", unit.plural()).into(),
+        Err(code) => Sentence::from(format!(
+            "lengths are in the unit of number {} ($INSUNITS), which is none of those that are known; ",
             limits::name(code)
-        ),
+        ))
+        .setting(Setting::Unit)
+        .text(" says what they are"),
     }
 }
 

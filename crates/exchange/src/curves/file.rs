@@ -1,5 +1,5 @@
 use super::{CurveFileError, Kind, Shape};
-use crate::LengthUnit;
+use crate::{LengthUnit, Sentence};
 
 /// A curve as a file has it.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,7 @@ pub struct CurveFile {
     /// What its numbers are, where it says so.
     pub unit: Option<LengthUnit>,
     /// Sentences a user should see: what was passed over, what was assumed, the unit of length.
-    pub notes: Vec<String>,
+    pub notes: Vec<Sentence>,
 }
 
 impl CurveFile {

@@ -4,7 +4,7 @@ use surfaces::{Point, SplineCurve};
 
 use super::limits::{self, MOST_CURVES, MOST_POINTS};
 use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape, text, trim};
-use crate::LengthUnit;
+use crate::{LengthUnit, Sentence};
 
 /// Families of free-form curves.
 #[derive(Clone, Copy, PartialEq)]
@@ -284,6 +284,7 @@ impl Reader {
         if let Some(unit) = self.unit {
             notes.push(format!("lengths are in {}, as a comment of the file says", unit.plural()));
         }
+        let notes = notes.into_iter().map(Sentence::from).collect();
         Ok(CurveFile { kind: Kind::Obj, curves, unit: self.unit, notes })
     }
 

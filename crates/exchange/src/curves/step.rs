@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::limits::{self, MOST_CURVES, MOST_POINTS};
 use super::{CurveFile, CurveFileError, FileCurve, Kind};
+use crate::Sentence;
 
 mod curve;
 mod part21;
@@ -35,6 +36,7 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
                 .into(),
         ));
     }
+    let notes = notes.into_iter().map(Sentence::from).collect();
     Ok(CurveFile { kind: Kind::Step, curves: found, unit, notes })
 }
 

@@ -6,6 +6,7 @@ use surfaces::Point;
 
 use super::limits::{self, LARGEST_COORDINATE, MOST_CURVES, MOST_POINTS};
 use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape};
+use crate::Sentence;
 
 mod columns;
 mod row;
@@ -179,6 +180,7 @@ impl Sides {
         if let Some(unit) = columns.unit {
             notes.push(format!("lengths are in {}, as the heading says", unit.plural()));
         }
+        let notes = notes.into_iter().map(Sentence::from).collect();
         Ok(CurveFile { kind: Kind::Table, curves: self.curves, unit: columns.unit, notes })
     }
     /// Joins sides of one point each, three or more, to one curve a block: their names are those of the points. Whether they were such.

@@ -1,6 +1,6 @@
 use std::io;
 
-use exchange::{AssemblyError, CurveFileError, FrameError};
+use exchange::{AssemblyError, CurveFileError, FrameError, Sentence, Setting};
 use thiserror::Error;
 
 /// Why no boundary could be made of a file.
@@ -21,7 +21,7 @@ pub enum ImportError {
     Frame(#[from] FrameError),
     /// A number of the options.
     #[error("{0}")]
-    Option(String),
+    Option(Sentence),
     /// A side has many points, and nothing says what they are.
     #[error(
         "{side} has {count} points, and what they are has to be said: points on the curve, then `--degree 6`, with which curves are laid \
@@ -51,15 +51,27 @@ pub enum ImportError {
     Plan(String),
 }
 
+impl ImportError {
+    /// What is wrong, with settings of the joining of curves spelled like this.
+    #[must_use]
+    pub fn told(&self, spelled: &dyn Fn(Setting, Option<&str>) -> String) -> String {
+        match self {
+            Self::Assembly(error) => error.told(spelled),
+            Self::Option(sentence) => sentence.told(spelled),
+            Self::Corner(gap) => gap.sentence().told(spelled),
+            Self::Io(_)
+            | Self::File(_)
+            | Self::Frame(_)
+            | Self::Ask { .. }
+            | Self::Fit { .. }
+            | Self::Plan(_) => self.to_string(),
+        }
+    }
+}
+
 /// Two sides that should meet and do not.
 #[derive(Debug, Error)]
-#[error(
-    "{first} and {second} should meet in a corner, but {first} ends at {end:?} and {second} begins at {begin:?}, {gap:.3e} apart: \
-     ends within {tolerance:.1e} are welded{}{}",
-    wide.as_ref().map_or(String::new(), |wide| format!(", `--weld {wide}` joins these")),
-    if *named { "; sides of these names run as in an experiment, under other names they are chained by their ends, in any order \
-     and sense" } else { "" }
-)]
+#[error("{}", self.sentence())]
 #[non_exhaustive]
 pub struct CornerGap {
     /// One side.
@@ -78,4 +90,23 @@ pub struct CornerGap {
     pub wide: Option<String>,
     /// Whether they have the names of sides of experiments, which say how they run.
     pub named: bool,
+}
+
+impl CornerGap {
+    fn sentence(&self) -> Sentence {
+        let Self { first, second, end, begin, gap, tolerance, wide, named } = self;
+        let mut sentence = Sentence::from(format!(
+            "{first} and {second} should meet in a corner, but {first} ends at {end:?} and {second} begins at {begin:?}, {gap:.3e} apart: \
+             ends within {tolerance:.1e} are welded"
+        ));
+        if let Some(wide) = wide {
+            sentence = sentence.text(", `").value(Setting::Weld, wide.as_str()).text("` joins these");
+        }
+        match named {
+            true => sentence.text(
+                "; sides of these names run as in an experiment, under other names they are chained by their ends, in any order and sense",
+            ),
+            false => sentence,
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! From curves of files to the surface over them.
 
-use exchange::{Assembly, CurveFile, CurveFileError, Frame, LengthUnit, Shape, Side};
+use exchange::{Assembly, CurveFile, CurveFileError, Frame, LengthUnit, Sentence, Shape, Side};
 use plateau::{Fill, Film, MethodError, Progress};
 use show::RimSource;
 
@@ -13,8 +13,8 @@ pub struct Filling {
     frame: Frame,
     options: ImportOptions,
     /// What the files say of themselves.
-    told: Vec<String>,
-    notes: Vec<String>,
+    told: Vec<Sentence>,
+    notes: Vec<Sentence>,
     unit: Option<LengthUnit>,
 }
 
@@ -34,12 +34,12 @@ impl Filling {
         let (file, note) = control::taken(file, options)?;
         let assembly = Assembly::new(&file, &options.assembly)?;
         let frame = assembly.frame(options.rim_tolerance(&assembly))?;
-        let notes = note.map(str::to_owned).into_iter().chain(assembly.notes.iter().cloned()).collect();
+        let notes = note.map(Sentence::from).into_iter().chain(assembly.notes.iter().cloned()).collect();
         Ok(Self { assembly, frame, options: options.clone(), told: file.notes, notes, unit: file.unit })
     }
 
     /// Sentences a user should see on how the curves became one boundary; what the files say of themselves is not among them.
-    pub fn notes(&self) -> &[String] {
+    pub fn notes(&self) -> &[Sentence] {
         &self.notes
     }
 
@@ -90,7 +90,7 @@ impl Filling {
     /// # Errors
     /// [`ImportError::Plan`].
     pub fn experiment(&self, title: &str, fill: &Fill) -> Result<String, ImportError> {
-        let notes: Vec<String> = self.told.iter().chain(self.notes()).cloned().collect();
+        let notes: Vec<String> = self.told.iter().chain(self.notes()).map(Sentence::to_string).collect();
         let text = printed::assembly(title, &self.assembly, &self.options, fill, &notes);
         checked(text + &printed::output(self.unit))
     }

@@ -1,4 +1,4 @@
-use exchange::{Assembly, AssemblyOptions};
+use exchange::{Assembly, AssemblyOptions, Sentence, Setting};
 use plateau::MAX_DEGREE;
 
 use super::ImportError;
@@ -36,13 +36,13 @@ impl ImportOptions {
     /// [`ImportError::Option`].
     pub fn check(&self) -> Result<(), ImportError> {
         if let Some(degree) = self.degree.filter(|degree| !(1..=MAX_DEGREE).contains(degree)) {
-            return Err(ImportError::Option(format!(
-                "degree {degree} is not offered; 1 to {MAX_DEGREE} are"
-            )));
+            let why = format!("degree {degree} is not offered; 1 to {MAX_DEGREE} are");
+            return Err(ImportError::Option(why.into()));
         }
         match self.tolerance.filter(|tolerance| !(*tolerance > 0.0 && tolerance.is_finite())) {
             Some(tolerance) => {
-                Err(ImportError::Option(format!("--tolerance {tolerance}: it is a length above 0")))
+                let given = Sentence::default().value(Setting::Tolerance, tolerance.to_string());
+                Err(ImportError::Option(given.text(": it is a length above 0")))
             }
             None => Ok(()),
         }

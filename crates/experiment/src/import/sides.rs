@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use exchange::{Assembly, AssemblyOptions, CurveFile, Form, Shape};
+use exchange::{Assembly, AssemblyOptions, CurveFile, Form, Sentence, Setting, Shape};
 use plateau::{DegreeLimit, NearestCurve};
 use surfaces::{Bezier, Point};
 
@@ -110,8 +110,9 @@ impl Sides {
         let size = exchange::diagonal(curves.iter().flat_map(|curve| &curve.points).map(|&p| p.into()));
         let tolerance = options.assembly.weld.unwrap_or(AssemblyOptions::WELD * size);
         if !(tolerance >= 0.0 && (tolerance <= MOST_WELDED * size || size == 0.0)) {
-            let why = format!("--weld {tolerance}: it lies between 0 and a quarter of the size, {size:.3e}");
-            return Err(ImportError::Option(why));
+            let why = format!(": it lies between 0 and a quarter of the size, {size:.3e}");
+            let given = Sentence::default().value(Setting::Weld, tolerance.to_string());
+            return Err(ImportError::Option(given.text(why)));
         }
         let mut welded = (0, 0.0);
         for k in 0..curves.len() {
