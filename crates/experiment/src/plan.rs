@@ -13,6 +13,7 @@ mod draft;
 mod expected;
 mod experiment;
 mod faces;
+mod family;
 mod file;
 mod film;
 mod helicoid;
@@ -23,6 +24,7 @@ mod method;
 mod net;
 mod patch;
 mod search;
+mod settings;
 mod shape;
 mod side;
 

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use plateau::{
-    Energy, Family, Functional, Functions, Method, MethodFault, ReferenceTriangle, SearchEnergy,
-    ShapedFamily, SolverChoice, TensorInterior, TriangleInterior, TriangleMask,
+    Energy, Family, Functions, Method, MethodFault, SearchEnergy, TensorInterior, TriangleInterior,
+    TriangleMask,
 };
 
 use super::Wanted;
@@ -13,9 +13,10 @@ use super::boundary::{Kind, Sides};
 use super::draft::Draft;
 use super::expected::check::{Subject, wanted_of};
 use super::interior::Interior;
+use super::settings::Settings;
 use super::shape::Shape;
 use crate::diagnostic::shorten;
-use crate::keys::method::{BOUND, DOMAIN, LAYERS, NAME, SOLVER, Solver, TENSOR, TOLERANCE, TRIANGLE};
+use crate::keys::method::{NAME, TENSOR, TRIANGLE};
 use crate::text::{Given, Table};
 
 /// A method with its name, if that is sound; names are unique.
@@ -81,15 +82,6 @@ pub(super) fn has_only_keys_over(
         );
     }
     all
-}
-
-/// The numbers and choices of a method beside its functions and its interior.
-struct Settings {
-    solver: SolverChoice,
-    domain: ReferenceTriangle,
-    tolerance: f64,
-    bound: bool,
-    layers: usize,
 }
 
 impl Draft<'_> {
@@ -161,164 +153,6 @@ impl Draft<'_> {
             format!("{}: {fault}", self.table.name()),
             "change one of its keys",
         );
-    }
-
-    /// The family of patches that `patch`, `basis` and the boundary say.
-    fn family(&self) -> Option<Family> {
-        let blend = match &self.patch {
-            Given::Absent => None,
-            Given::Faulty => return None,
-            Given::Sound(_) if self.is_triangle() => return None,
-            Given::Sound(patch) => *patch.get_ref(),
-        };
-        let basis = match &self.basis {
-            Given::Absent => None,
-            Given::Faulty => return None,
-            Given::Sound(basis) => Some((*basis.get_ref(), basis.span())),
-        };
-        if self.is_triangle() {
-            return self.family_of_triangle(basis);
-        }
-        match (blend, basis) {
-            (None, None) => Some(Family::Bernstein),
-            (None, Some((basis, _))) => Some(basis.map_or(Family::Bernstein, Family::Shaped)),
-            (Some(blend), None) => Some(Family::Shaped(blend)),
-            (Some(blend), Some((Some(basis), _))) if basis.names().1 == blend.names().1 => {
-                Some(Family::Shaped(blend))
-            }
-            (Some(_), Some((basis, span))) => {
-                self.table.faults().clash(
-                    (span, "a TB–Coons patch uses both bases"),
-                    format!(
-                        "{} asks for a TB–Coons patch in {}",
-                        self.table.name(),
-                        basis.map_or("the Bernstein basis", ShapedFamily::title)
-                    ),
-                    "leave out `basis`: a TB–Coons patch blends Bernstein and GT functions; for a plain Bézier patch \
-                     leave out `patch`",
-                );
-                None
-            }
-        }
-    }
-
-    fn family_of_triangle(&self, basis: Option<(Option<ShapedFamily>, Range<usize>)>) -> Option<Family> {
-        let Some((Some(basis), span)) = basis else { return Some(Family::Triangle) };
-        self.table.faults().conflict(
-            (span, "not for triangles"),
-            (self.sides.header.clone(), "a triangular boundary"),
-            format!("{} asks for {} on a triangle", self.table.name(), basis.title()),
-            "leave out `basis`: triangular patches are Bernstein–Bézier patches",
-        );
-        None
-    }
-
-    /// How nearly the least area is to be reached.
-    fn tolerance(&self, interior: Option<&Interior>) -> Option<f64> {
-        if let (Some(span), Some(interior)) = (self.tolerance.span(), interior)
-            && *interior != Interior::LeastArea
-        {
-            self.table.faults().clash(
-                (span, "needs energy = \"area\""),
-                format!("{} has `tolerance`, but its interior is not of least area", self.table.name()),
-                "leave it out: every other interior is one linear solve, exact to rounding",
-            );
-            return None;
-        }
-        self.table.or_default(&TOLERANCE, &self.tolerance)
-    }
-
-    /// How many layers of smaller patches there are around corners.
-    fn layers(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<usize> {
-        let wanted = self.table.or_default(&LAYERS, &self.layers)?;
-        // Over three sides the key itself is refused.
-        let span = self.layers.span().filter(|_| wanted > 0 && !self.is_triangle());
-        let help = "leave it out, or write energy = \"area\" and no `basis`";
-        self.is_of_least_areas((span, "layers", help), family, interior).then_some(wanted)
-    }
-
-    /// Whether a lower bound is to be proved.
-    fn bound(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<bool> {
-        let wanted = self.table.or_default(&BOUND, &self.bound)?;
-        let span = self.bound.span().filter(|_| wanted);
-        let help = "leave it out: what is proved of a least area in the Bernstein basis holds for all surfaces with the same boundary curves";
-        self.is_of_least_areas((span, "bound", help), family, interior).then_some(wanted)
-    }
-
-    /// Whether a key that only least areas in the Bernstein basis have, if it is given, stands where it may; what is wrong is reported.
-    fn is_of_least_areas(
-        &self,
-        (span, key, help): (Option<Range<usize>>, &str, &str),
-        family: Option<Family>,
-        interior: Option<&Interior>,
-    ) -> bool {
-        let (Some(span), Some(family), Some(interior)) = (span, family, interior) else { return true };
-        let why = match (family == Family::Bernstein, *interior == Interior::LeastArea) {
-            (true, true) => return true,
-            (true, false) => "its interior is not of least area",
-            (false, _) => "its patch is no tensor patch in the Bernstein basis",
-        };
-        self.table.faults().clash(
-            (span, "needs energy = \"area\" in the Bernstein basis over four sides"),
-            format!("{} has `{key}`, but {why}", self.table.name()),
-            help,
-        );
-        false
-    }
-
-    /// The triangle over which an energy is taken.
-    fn domain(&self, interior: Option<&Interior>) -> Option<ReferenceTriangle> {
-        let is_quadratic = |interior: &Interior| match interior {
-            Interior::Extremal(_) | Interior::MetricCorrections(_) => true,
-            Interior::LeastArea | Interior::Mask(_) | Interior::DiscreteCoons | Interior::Harmonic => false,
-        };
-        if let (Some(span), Some(false)) = (self.domain.span(), interior.map(is_quadratic)) {
-            self.table.faults().clash(
-                (span, "for extremals of quadratic energies"),
-                format!("{} has `domain`, but its interior is no extremal of a quadratic energy", self.table.name()),
-                "leave it out: neither an area nor a mask nor a construction is taken over a triangle of the plane",
-            );
-            return None;
-        }
-        self.table.or_default(&DOMAIN, &self.domain)
-    }
-
-    fn solver(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<SolverChoice> {
-        let solver = self.table.or_default(&SOLVER, &self.solver)?;
-        let dirichlet = matches!(
-            interior,
-            Some(Interior::Extremal(Functional::Dirichlet) | Interior::MetricCorrections(_))
-        );
-        let separates = match family {
-            Some(Family::Bernstein) => true,
-            Some(Family::Shaped(family)) => !family.is_blend(),
-            Some(Family::Triangle | Family::Aht | Family::At | Family::Complex) | None => false,
-        };
-        let masked = matches!(interior, Some(Interior::Mask(_)));
-        let (choice, fits, needs) = match solver {
-            Solver::Of(choice @ (SolverChoice::Auto | SolverChoice::Dense)) => (choice, true, ""),
-            Solver::Of(SolverChoice::Separable) => (
-                SolverChoice::Separable,
-                dirichlet && separates,
-                "the separable solver serves energy = \"dirichlet\" on tensor patches only",
-            ),
-            Solver::Sparse => (
-                SolverChoice::Auto,
-                masked,
-                "the sparse solver serves masks only: extremals couple all points",
-            ),
-        };
-        let Some(span) = self.solver.span().filter(|_| !fits && family.is_some() && interior.is_some())
-        else {
-            return Some(choice);
-        };
-        let said = self.table.faults().excerpt(&span);
-        self.table.faults().clash(
-            (span.clone(), "does not serve this system"),
-            format!("{} cannot be solved by solver = {said}", self.table.name()),
-            format!("{needs}; write solver = \"auto\", or leave it out"),
-        );
-        None
     }
 
     fn search_energy(&self, shape: &Shape, interior: &Interior) -> Option<SearchEnergy> {
