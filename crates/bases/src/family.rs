@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::{Aht, At, Bernstein, Gt};
+use crate::{Aht, At, Bernstein};
 
 /// The enum, its list, which no variant can be left out of, and the names.
 macro_rules! basis_families {
@@ -49,7 +49,7 @@ macro_rules! basis_families {
 basis_families! {
     /// [`Bernstein`] polynomials of any degree.
     Bernstein = "bernstein", "Bernstein";
-    /// The [`Gt`] functions of any degree from 2 on, with two shape parameters.
+    /// The [`Gt`](crate::Gt) functions of any degree from 2 on, with two shape parameters.
     Gt = "gt", "GT";
     /// The six [`Aht`] functions on an interval.
     Aht = "aht", "AHT";
@@ -77,7 +77,7 @@ impl BasisFamily {
         }
     }
 
-    /// The names of its shape parameters, each in [`Gt::SHAPES`]; none of a family without.
+    /// The names of its shape parameters, each in [`Gt::SHAPES`](crate::Gt::SHAPES); none of a family without.
     #[must_use]
     pub const fn parameters(self) -> &'static [&'static str] {
         match self {
@@ -106,6 +106,7 @@ impl BasisFamily {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Gt;
 
     #[test]
     fn a_family_has_the_degrees_and_spans_it_says() {

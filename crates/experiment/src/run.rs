@@ -95,7 +95,7 @@ fn sampled(plan: &Plan, curves: &[Curve]) -> Result<Results, MethodError> {
     let of_curve = |of: &CurveResult| -> Vec<Remark> {
         let remark = |warning| match curves.len() {
             1 => Remark::Whole(warning),
-            _ => Remark::Curve { curve: of.name.clone(), warning },
+            _ => Remark::Curve { curve: of.name().to_owned(), warning },
         };
         of.warnings().into_iter().map(remark).collect()
     };

@@ -74,27 +74,27 @@ impl Curve {
     }
 }
 
-/// A curve that was sampled. All lists have one entry per sample.
+/// A curve that was sampled.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct CurveResult {
-    /// The basis in words: `GT, degree 3, θ = (1, 2)`.
-    pub name: String,
-    /// Parameters of the samples.
-    pub t: Vec<f64>,
+    name: String,
+    samples: Vec<CurveSample>,
+    length: [f64; 2],
+    curve: Curve,
+}
+
+/// A sample of a curve.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct CurveSample {
+    /// Its parameter.
+    pub t: f64,
     /// Values (row 0), first (row 1) and second derivatives (row 2) of the functions of the basis.
-    pub basis: Vec<Matrix>,
-    /// Points and derivatives.
-    pub jets: Vec<CurveJet>,
-    /// Signed curvature of planar curves, curvature of space curves, 1/length; none where the tangent vanishes to within
-    /// rounding.
-    pub curvature: Vec<Option<f64>>,
-    /// Coordinates of a point: 2 or 3.
-    pub dimension: usize,
-    /// Length of the curve, and the error believed.
-    pub length: [f64; 2],
-    /// The curve that was sampled.
-    pub curve: Curve,
+    pub basis: Matrix,
+    /// Point and derivatives.
+    pub jet: CurveJet,
+    /// Signed curvature of planar curves, curvature of space curves, 1/length; none where the tangent vanishes to within rounding.
+    pub curvature: Option<f64>,
 }
 
 /// Samples a curve.
@@ -105,16 +105,7 @@ pub fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
     let degree = plan.points.len() - 1;
     let basis = plan.basis.functions(degree)?;
     let curve = surfaces::Curve::new(basis.clone(), plan.points.clone())?;
-    let mut result = CurveResult {
-        name: plan.basis.described(degree),
-        t: plan.samples.clone(),
-        basis: Vec::with_capacity(plan.samples.len()),
-        jets: Vec::with_capacity(plan.samples.len()),
-        curvature: Vec::with_capacity(plan.samples.len()),
-        dimension: plan.dimension(),
-        length: length(&curve)?,
-        curve: plan.clone(),
-    };
+    let mut samples = Vec::with_capacity(plan.samples.len());
     for &t in &plan.samples {
         let (table, jet) = (basis.evaluate(t, 2), curve.jet(t));
         let finite = (0..3).all(|r| table.row(r).iter().all(|x| x.is_finite()))
@@ -123,11 +114,15 @@ pub fn sample(plan: &Curve) -> Result<CurveResult, MethodError> {
             return Err(MethodError::Overflow { t });
         }
         let curvature = curvature(&jet, curve.points(), table.row(1), plan.dimension());
-        result.basis.push(table);
-        result.jets.push(jet);
-        result.curvature.push(curvature.filter(|k| k.is_finite()));
+        let curvature = curvature.filter(|k| k.is_finite());
+        samples.push(CurveSample { t, basis: table, jet, curvature });
     }
-    Ok(result)
+    Ok(CurveResult {
+        name: plan.basis.described(degree),
+        samples,
+        length: length(&curve)?,
+        curve: plan.clone(),
+    })
 }
 
 /// The curvature, unless the tangent is nothing but rounding.
@@ -163,16 +158,48 @@ fn length(curve: &surfaces::Curve) -> Result<[f64; 2], MethodError> {
 }
 
 impl CurveResult {
-    /// The sample of largest |curvature|, the first of equals: its index and its curvature. None if no sample has a curvature.
-    pub fn sharpest(&self) -> Option<(usize, f64)> {
-        let known = self.curvature.iter().enumerate().filter_map(|(k, c)| Some((k, (*c)?)));
+    /// The basis in words: `GT, degree 3, θ = (1, 2)`.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its samples, in the order in which they were asked for.
+    #[must_use]
+    pub fn samples(&self) -> &[CurveSample] {
+        &self.samples
+    }
+
+    /// Coordinates of a point: 2 or 3.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.curve.dimension()
+    }
+
+    /// Length of the curve, and the error believed.
+    #[must_use]
+    pub fn length(&self) -> [f64; 2] {
+        self.length
+    }
+
+    /// The curve that was sampled.
+    #[must_use]
+    pub fn curve(&self) -> &Curve {
+        &self.curve
+    }
+
+    /// The sample of largest |curvature|, the first of equals, and its curvature. None if no sample has a curvature.
+    #[must_use]
+    pub fn sharpest(&self) -> Option<(&CurveSample, f64)> {
+        let known = self.samples.iter().filter_map(|sample| Some((sample, sample.curvature?)));
         known.reduce(|best, next| if next.1.abs() > best.1.abs() { next } else { best })
     }
 
     /// The coordinates the curve has.
+    #[must_use]
     pub fn coordinates(&self, p: Point) -> Vec<f64> {
         let mut all = Vec::from(<[f64; 3]>::from(p));
-        all.truncate(self.dimension);
+        all.truncate(self.dimension());
         all
     }
 
@@ -180,7 +207,7 @@ impl CurveResult {
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let singular: Vec<f64> =
-            (0..self.t.len()).filter(|&k| self.curvature[k].is_none()).map(|k| self.t[k]).collect();
+            self.samples.iter().filter(|sample| sample.curvature.is_none()).map(|sample| sample.t).collect();
         if !singular.is_empty() {
             warnings.push(Warning::CurveSingular { at: singular });
         }
@@ -227,14 +254,15 @@ mod tests {
         let third = 1_000.333_333_333_333_4;
         let points = [[1001.0, 101.0], [third, 99.0], [third, 101.0], [1001.0, 99.0]];
         let result = sampled(CurveBasis::BERNSTEIN, &points, 5).unwrap();
-        assert!(result.curvature[1].is_some() && result.curvature[3].is_some());
-        assert_eq!(result.curvature[2], None, "{:?}", result.jets[2].d1);
+        let samples = result.samples();
+        assert!(samples[1].curvature.is_some() && samples[3].curvature.is_some());
+        assert_eq!(samples[2].curvature, None, "{:?}", samples[2].jet.d1);
     }
 
     #[test]
     fn a_point_is_no_curve_but_no_panic() {
         let result = sampled(CurveBasis::BERNSTEIN, &[[1.0, 2.0]; 2], 2).unwrap();
-        assert_eq!((result.sharpest(), result.length[0]), (None, 0.0));
+        assert!(result.sharpest().is_none() && result.length()[0] == 0.0);
     }
 
     #[test]
@@ -250,7 +278,7 @@ mod tests {
         let (far, high) = (0.378_861_061_722_595_66, 1.273_239_544_735_162_7);
         let points = [[1.0, 0.0], [1.0, control], [far, high], [-far, high], [-1.0, control], [-1.0, 0.0]];
         let result = sampled(CurveBasis::at(std::f64::consts::PI).unwrap(), &points, 21).unwrap();
-        assert!((result.length[0] - std::f64::consts::PI).abs() < 1e-14);
-        assert!(result.curvature.iter().all(|k| (k.unwrap() - 1.0).abs() < 1e-13));
+        assert!((result.length()[0] - std::f64::consts::PI).abs() < 1e-14);
+        assert!(result.samples().iter().all(|sample| (sample.curvature.unwrap() - 1.0).abs() < 1e-13));
     }
 }

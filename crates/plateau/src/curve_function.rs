@@ -100,7 +100,7 @@ mod tests {
                     let points = basis.control_points([function.jet(0.0), function.jet(span)]).unwrap();
                     let points = points.into_iter().map(surfaces::Point::from).collect();
                     let curve = Curve::new(basis, points, vec![share * span]).unwrap();
-                    let found = sample(&curve).unwrap().jets[0];
+                    let found = sample(&curve).unwrap().samples()[0].jet;
                     let [point, d1, d2] = function.jet(share * span);
                     let scale = span.exp();
                     let near = |a: surfaces::Point, b: [f64; 3], by: f64| a.distance(b.into()) <= by * scale;
@@ -124,7 +124,7 @@ mod tests {
             let points = basis.control_points([function.jet(0.0), function.jet(5.0)]).unwrap();
             let points = points.into_iter().map(surfaces::Point::from).collect();
             let curve = Curve::new(basis, points, vec![2.5]).unwrap();
-            let found = sample(&curve).unwrap().jets[0];
+            let found = sample(&curve).unwrap().samples()[0].jet;
             assert!(
                 !function.families().contains(&basis.family())
                     && found.point.distance(function.jet(2.5)[0].into()) > 1e-3

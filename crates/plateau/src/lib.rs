@@ -48,7 +48,7 @@
 //! | films | [`Film`], [`FilmFace`], [`FillEnergy`], [`Tried`] |
 //! | exact surfaces | [`Helicoid`], [`DeformationPath`], [`Construction`] |
 //! | nets of one's own | [`OwnNet`], [`NetBasis`], [`OrderSix`], [`of_net()`] |
-//! | curves | [`Curve`], [`CurveBasis`], [`CurveFunction`], [`CurveEnd`], [`CurveResult`]; [`NearestCurve`], [`NearestCurveError`] |
+//! | curves | [`Curve`], [`CurveBasis`], [`CurveFunction`], [`CurveEnd`], [`CurveResult`] with its [`CurveSample`]; [`NearestCurve`], [`NearestCurveError`] |
 
 #![warn(clippy::wildcard_enum_match_arm)]
 
@@ -110,7 +110,7 @@ pub use conditioning::Conditioning;
 pub use context::Context;
 pub use corners::odd_corners;
 pub use cost::Cost;
-pub use curve::{Curve, CurveResult, sample};
+pub use curve::{Curve, CurveResult, CurveSample, sample};
 pub use curve_basis::CurveBasis;
 pub use curve_function::{CurveEnd, CurveFunction};
 pub use cutting::{

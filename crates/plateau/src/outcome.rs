@@ -86,9 +86,9 @@ impl Results {
     pub fn figure_of_curves(&self, quantity: Quantity) -> Option<f64> {
         let Quantity::Curvature(mut k) = quantity else { return None };
         for curve in self.curves() {
-            match k.checked_sub(curve.t.len()) {
+            match k.checked_sub(curve.samples().len()) {
                 Some(rest) => k = rest,
-                None => return curve.curvature[k],
+                None => return curve.samples()[k].curvature,
             }
         }
         None

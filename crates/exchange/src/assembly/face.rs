@@ -5,7 +5,6 @@ use surfaces::Point;
 use super::cycle_basis::{self, Arc};
 use super::walk::named;
 use super::{AssemblyError, Side, Walk};
-use crate::Sentence;
 
 /// Most paths between junctions.
 const MOST_ARCS: usize = 400;

@@ -2,13 +2,13 @@
 
 use std::io::{self, Write};
 
-use plateau::CurveResult;
+use plateau::{CurveResult, CurveSample};
 
 /// Parameter, point, derivatives and curvature with all their digits; the curvature is empty where there is none. Lines of several
 /// curves, which differ in their shape, begin with that.
 pub fn write_curves(curves: &[CurveResult], out: &mut dyn Write) -> io::Result<()> {
     let Some(first) = curves.first() else { return Ok(()) };
-    let axes = &["x", "y", "z"][..first.dimension];
+    let axes = &["x", "y", "z"][..first.dimension()];
     let mut header = match curves.len() {
         1 => Vec::new(),
         _several => vec!["theta1".to_owned(), "theta2".to_owned()],
@@ -23,11 +23,11 @@ pub fn write_curves(curves: &[CurveResult], out: &mut dyn Write) -> io::Result<(
 }
 
 fn lines(curve: &CurveResult, with_shape: bool, out: &mut dyn Write) -> io::Result<()> {
-    let shape = match curve.curve.basis().shape() {
+    let shape = match curve.curve().basis().shape() {
         Some([first, second]) if with_shape => format!("{first:?},{second:?},"),
         Some(_) | None => String::new(),
     };
-    for ((t, jet), curvature) in curve.t.iter().zip(&curve.jets).zip(&curve.curvature) {
+    for CurveSample { t, jet, curvature, .. } in curve.samples() {
         write!(out, "{shape}{t:?}")?;
         for p in [jet.point, jet.d1, jet.d2] {
             for x in curve.coordinates(p) {

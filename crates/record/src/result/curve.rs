@@ -22,23 +22,23 @@ pub(super) struct CurveEntry {
 
 impl CurveEntry {
     pub(super) fn new(curve: &CurveResult) -> Self {
-        let order = |r: usize| curve.basis.iter().map(|table| table.row(r).to_vec()).collect();
+        let order = |r: usize| curve.samples().iter().map(|sample| sample.basis.row(r).to_vec()).collect();
         let along = |point: fn(&surfaces::CurveJet) -> surfaces::Point| {
-            curve.jets.iter().map(|jet| curve.coordinates(point(jet))).collect()
+            curve.samples().iter().map(|sample| curve.coordinates(point(&sample.jet))).collect()
         };
-        let [length, length_error] = curve.length;
+        let [length, length_error] = curve.length();
         Self {
-            name: curve.name.clone(),
+            name: curve.name().to_owned(),
             length,
             length_error,
-            t: curve.t.clone(),
+            t: curve.samples().iter().map(|sample| sample.t).collect(),
             basis: order(0),
             basis_d1: order(1),
             basis_d2: order(2),
             point: along(|jet| jet.point),
             d1: along(|jet| jet.d1),
             d2: along(|jet| jet.d2),
-            curvature: curve.curvature.iter().copied().collect(),
+            curvature: curve.samples().iter().map(|sample| sample.curvature).collect(),
         }
     }
 }

@@ -28,10 +28,10 @@ pub(super) fn curves(curves: &[CurveResult]) -> String {
     let mut html = table(&summary(curves));
     for curve in curves {
         if curves.len() > 1 {
-            let _ = writeln!(html, "<h3>{}</h3>", Escaped(&curve.name));
+            let _ = writeln!(html, "<h3>{}</h3>", Escaped(curve.name()));
         }
         html += &table(&samples(curve, ROWS));
-        left_out(&mut html, curve.t.len());
+        left_out(&mut html, curve.samples().len());
     }
     html
 }

@@ -26,7 +26,7 @@ struct Drawn<'a> {
 pub(super) fn picture(results: &[CurveResult]) -> Option<Picture> {
     let first = results.first()?;
     let drawn = results.iter().zip(LINES.iter().copied().cycle()).map(|(result, colour)| {
-        let plan = &result.curve;
+        let plan = result.curve();
         let [start, end] = plan.basis().domain();
         let samples = (0..FINE)
             .map(|k| if k + 1 == FINE { end } else { start + (end - start) * (k as f64 / (FINE - 1) as f64) })
@@ -50,14 +50,17 @@ pub(super) fn picture(results: &[CurveResult]) -> Option<Picture> {
     for (k, Drawn { result, colour, .. }) in drawn.iter().enumerate() {
         let y = LINE * k as f64;
         let font = if results.len() == 1 { Font::TITLE } else { Font { colour, ..Font::TITLE } };
-        svg.text([20.0, 22.0 + y], Anchor::Start, font, &result.name);
-        let caption =
-            format!("length {} in {} samples", Notation::Digits(4).of(result.length[0]), result.t.len());
+        svg.text([20.0, 22.0 + y], Anchor::Start, font, result.name());
+        let caption = format!(
+            "length {} in {} samples",
+            Notation::Digits(4).of(result.length()[0]),
+            result.samples().len()
+        );
         let at = if results.len() == 1 { [20.0, 39.0] } else { [240.0, 22.0 + y] };
         svg.text(at, Anchor::Start, Font::SMALL, &caption);
     }
-    shape(&mut svg, &first.curve, &drawn, below);
-    curvature(&mut svg, &drawn, first.dimension == 2, below);
+    shape(&mut svg, first.curve(), &drawn, below);
+    curvature(&mut svg, &drawn, first.dimension() == 2, below);
     Some(Picture { name: "curvature", caption: caption.into(), svg: svg.finish() })
 }
 
@@ -73,7 +76,7 @@ fn shape(svg: &mut Svg, plan: &Curve, drawn: &[Drawn<'_>], below: f64) {
     let polygon: Vec<[f64; 2]> = plan.points().iter().map(|&p| flat(p.into())).collect();
     let curves: Vec<Vec<[f64; 2]>> = drawn
         .iter()
-        .map(|drawn| drawn.fine.jets.iter().map(|jet| flat(jet.point.into())).collect())
+        .map(|drawn| drawn.fine.samples().iter().map(|sample| flat(sample.jet.point.into())).collect())
         .collect();
     let all = || polygon.iter().chain(curves.iter().flatten());
     let bound = |k: usize, pick: fn(f64, f64) -> f64, from: f64| all().map(|p| p[k]).fold(from, pick);
@@ -106,15 +109,15 @@ fn shape(svg: &mut Svg, plan: &Curve, drawn: &[Drawn<'_>], below: f64) {
             r#"path d="{d}" fill="none" stroke="{colour}" stroke-width="2" stroke-linejoin="round""#
         ));
         let ink = if drawn.len() == 1 { INK } else { colour };
-        for jet in few(&result.jets) {
-            dot(svg, at(&flat(jet.point.into())), 2.6, ink, ink);
+        for sample in few(result.samples()) {
+            dot(svg, at(&flat(sample.jet.point.into())), 2.6, ink, ink);
         }
     }
 }
 
 fn curvature(svg: &mut Svg, drawn: &[Drawn<'_>], signed: bool, below: f64) {
     let mut known: Vec<f64> =
-        drawn.iter().flat_map(|drawn| drawn.fine.curvature.iter().flatten()).copied().collect();
+        drawn.iter().flat_map(|drawn| drawn.fine.samples()).filter_map(|sample| sample.curvature).collect();
     let (left, right, top, bottom) = (500.0, 836.0, 56.0 + below, 296.0 + below);
     let Some(largest) = known.iter().map(|k| k.abs()).reduce(f64::max) else {
         svg.text(
@@ -133,7 +136,7 @@ fn curvature(svg: &mut Svg, drawn: &[Drawn<'_>], signed: bool, below: f64) {
     let high = known.iter().fold(0.0, |high: f64, &k| high.max(shown(k)));
     let pad = 0.06 * (high - low);
     let (under, above) = (if low < 0.0 { pad } else { 0.0 }, if high > 0.0 { pad } else { 0.0 });
-    let domain = drawn[0].result.curve.basis().domain();
+    let domain = drawn[0].result.curve().basis().domain();
     let t = Axis::linear(domain[0], domain[1], [left, right], 5);
     let k = Axis::linear(low - under, high + above, [bottom, top], 5);
     let label = if signed { "signed curvature κ (1/length)" } else { "curvature κ (1/length)" };
@@ -154,10 +157,10 @@ fn curvature(svg: &mut Svg, drawn: &[Drawn<'_>], signed: bool, below: f64) {
 fn line_of_curvature(svg: &mut Svg, drawn: &Drawn<'_>, (t, k): (&Axis, &Axis), cut: f64, alone: bool) {
     let Drawn { result, fine, colour } = drawn;
     let mut pieces: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
-    for (&at, value) in fine.t.iter().zip(&fine.curvature) {
-        match value.filter(|value| value.abs() <= cut) {
+    for sample in fine.samples() {
+        match sample.curvature.filter(|value| value.abs() <= cut) {
             Some(value) => {
-                pieces.last_mut().into_iter().for_each(|piece| piece.push([t.at(at), k.at(value)]))
+                pieces.last_mut().into_iter().for_each(|piece| piece.push([t.at(sample.t), k.at(value)]))
             }
             None => pieces.push(Vec::new()),
         }
@@ -168,12 +171,10 @@ fn line_of_curvature(svg: &mut Svg, drawn: &Drawn<'_>, (t, k): (&Axis, &Axis), c
             r#"path d="{d}" fill="none" stroke="{colour}" stroke-width="2" stroke-linejoin="round""#
         ));
     }
-    let samples: Vec<(f64, Option<f64>)> =
-        result.t.iter().copied().zip(result.curvature.iter().copied()).collect();
     let ink = if alone { INK } else { colour };
-    for (at, value) in few(&samples) {
-        if let Some(value) = value.filter(|value| value.abs() <= cut) {
-            dot(svg, [t.at(*at), k.at(value)], 2.6, ink, ink);
+    for sample in few(result.samples()) {
+        if let Some(value) = sample.curvature.filter(|value| value.abs() <= cut) {
+            dot(svg, [t.at(sample.t), k.at(value)], 2.6, ink, ink);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::column::Column;
-use plateau::{CurveResult, Notation};
+use plateau::{CurveResult, CurveSample, Notation};
 
 const FIGURE: Notation = Notation::Decimals(7);
 
@@ -18,11 +18,11 @@ pub(crate) fn summary(curves: &[CurveResult]) -> Cells {
     ];
     let row = |curve: &CurveResult| {
         let (largest, at) = match curve.sharpest() {
-            Some((k, curvature)) => (FIGURE.of(curvature.abs()), Notation::Short(9).of(curve.t[k])),
+            Some((sample, curvature)) => (FIGURE.of(curvature.abs()), Notation::Short(9).of(sample.t)),
             None => ("–".into(), "–".into()),
         };
-        let [length, error] = curve.length;
-        let (name, samples) = (curve.name.clone(), curve.t.len().to_string());
+        let [length, error] = curve.length();
+        let (name, samples) = (curve.name().to_owned(), curve.samples().len().to_string());
         vec![name, samples, FIGURE.of(length), Notation::Order.of(error), largest, at]
     };
     Cells::new(columns, curves.iter().map(row).collect())
@@ -31,13 +31,13 @@ pub(crate) fn summary(curves: &[CurveResult]) -> Cells {
 /// The first samples, at most `most`, with their points and curvatures.
 pub(crate) fn samples(curve: &CurveResult, most: usize) -> Cells {
     let names = ["t", "x", "y", "z"];
-    let headings = names[..=curve.dimension].iter().copied().chain(["curvature κ"]);
+    let headings = names[..=curve.dimension()].iter().copied().chain(["curvature κ"]);
     let columns = headings.map(|heading| Column::number(heading, "")).collect();
-    let row = |k: usize| -> Vec<String> {
-        let point = curve.coordinates(curve.jets[k].point);
-        let curvature = curve.curvature[k].map_or("none".into(), |x| FIGURE.of(x));
+    let row = |sample: &CurveSample| -> Vec<String> {
+        let point = curve.coordinates(sample.jet.point);
+        let curvature = sample.curvature.map_or("none".into(), |x| FIGURE.of(x));
         let figures = point.into_iter().map(|x| FIGURE.of(x));
-        std::iter::once(Notation::Short(9).of(curve.t[k])).chain(figures).chain([curvature]).collect()
+        std::iter::once(Notation::Short(9).of(sample.t)).chain(figures).chain([curvature]).collect()
     };
-    Cells::new(columns, (0..curve.t.len().min(most)).map(row).collect())
+    Cells::new(columns, curve.samples().iter().take(most).map(row).collect())
 }

@@ -27,7 +27,7 @@ pub fn table(results: &Results, room: usize) -> String {
     match results.curves() {
         [first, rest @ ..] => {
             text += &grid(&summary(results.curves()), room).0;
-            if first.t.len() <= LISTED && rest.is_empty() {
+            if first.samples().len() <= LISTED && rest.is_empty() {
                 text.push('\n');
                 text += &grid(&samples(first, LISTED), room).0;
             }
