@@ -61,7 +61,7 @@ fn an_experiment_finds_what_the_engine_fills() {
     let text = boundary(&format!("polygon = {HEXAGON:?}"), 5) + "tolerance = 1e-9\n";
     let around = Loop::polygon(&HEXAGON.map(Point::from)).unwrap();
     let film = Fill::default().with_degree(5).loops(&[around], &()).unwrap();
-    assert_eq!(points(&done(&text)), film.complex.points());
+    assert_eq!(points(&done(&text)), film.complex().points());
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn print(name: &str, degree: usize, film: &Film) {
     let kink = film.seams.kink.map_or_else(String::new, |kink| format!("kink {:.0e}, ", kink.max));
     println!(
         "{name}, degree {degree}: {} patches ({:?}), area {:.15} ± {:.0e}, {kink}rim moved {:.0e}",
-        film.complex.faces().len(),
+        film.complex().faces().len(),
         film.way,
         area.value,
         area.error,

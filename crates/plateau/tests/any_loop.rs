@@ -163,7 +163,7 @@ fn is_said(film: &Film, above: f64) -> bool {
     let found = film.extremal.as_ref().expect("a least area");
     !film.warnings.is_empty()
         || film.estimate.is_some_and(covers)
-        || estimate_complex(&film.complex, found, &()).expect("a system").map_or(true, covers)
+        || estimate_complex(film.complex(), found, &()).expect("a system").map_or(true, covers)
 }
 
 /// The same boundary cut in other ways: a disc by midpoints and by rings, a band from other points of its loops on.
@@ -195,7 +195,7 @@ fn judge(seed: u64) -> f64 {
     let film = Fill::default().loops(&rim.loops, &()).unwrap_or_else(|error| panic!("{seed}: {error}"));
     let area = film.figures.area.value;
     let is_told = |film: &Film| film.warnings.iter().any(|warning| matches!(warning, Warning::Folded { .. }));
-    let mesh = film.complex.mesh(FINE).expect("a mesh").mesh;
+    let mesh = film.complex().mesh(FINE).expect("a mesh").mesh;
     assert!(folds(&mesh) == 0 || is_told(&film), "{seed}: {:?} folds without a word", rim.kind);
     if let Some(inside) = rim.area {
         assert!((area / inside - 1.0).abs() < 1e-9, "{seed}: {area} over a flat loop with {inside} inside");

@@ -60,7 +60,7 @@ fn the_degree_rises_to_the_accuracy() {
             "{}",
             film.figures.area.value
         );
-        degrees.push(film.complex.degree());
+        degrees.push(film.complex().degree());
     }
     assert!(degrees[0] < degrees[1], "{degrees:?}");
     // What is not reached is said.

@@ -53,7 +53,7 @@ fn edges_of_a_cube() {
     }
     for (degree, relative) in [(4, 1e-11), (6, 1e-13)] {
         let film = exactly(degree).loops(from_ref(&hexagon), &()).unwrap();
-        assert_eq!((film.way, film.complex.faces().len()), (Way::Midpoint, 6));
+        assert_eq!((film.way, film.complex().faces().len()), (Way::Midpoint, 6));
         assert_area("hexagon", &film, 1.5 * SKEW, relative);
     }
     let film = fill(&[quadrilateral], 8).unwrap();
@@ -75,7 +75,7 @@ fn a_catenoid_between_rings() {
     };
     for (degree, relative) in [(4, 1e-6), (6, 3e-11), (8, 2e-15)] {
         let film = exactly(degree).loops(&[circle(1.0, -0.3), circle(1.0, 0.3)], &()).unwrap();
-        assert_eq!((film.way, film.complex.faces().len()), (Way::Annulus, 4));
+        assert_eq!((film.way, film.complex().faces().len()), (Way::Annulus, 4));
         assert_area("catenoid", &film, exact, relative);
         assert!((film.one_by_one.unwrap() / TAU - 1.0).abs() < 2e-6);
         // What the rim can mean bounds what it means.
@@ -210,11 +210,11 @@ fn films_in_a_tetrahedron() {
     let faces: Vec<Vec<usize>> = edges.iter().map(|&[a, b]| vec![a, b, 4]).collect();
     let graph = CurveGraph::new(vertices, curves, &faces, None).unwrap();
     let film = exactly(3).graph(&graph, &()).unwrap();
-    assert_eq!(film.complex.faces().len(), 18);
+    assert_eq!(film.complex().faces().len(), 18);
     // Edges of length √8: 3/(2√2) · 8.
     assert_area("tetrahedron", &film, 6.0 * 2f64.sqrt(), 1e-12);
-    assert!(film.complex.points()[4].norm() < 1e-6, "the films meet in the middle");
-    assert_eq!(film.complex.orientation().joints().len(), 8);
+    assert!(film.complex().points()[4].norm() < 1e-6, "the films meet in the middle");
+    assert_eq!(film.complex().orientation().joints().len(), 8);
     let names: Vec<[&str; 4]> = film.faces().map(|face| face.vertices).collect();
     assert_eq!(names.iter().filter(|names| names.contains(&"o")).count(), 6);
 }
@@ -320,8 +320,8 @@ fn the_degree_is_raised_rather_than_the_rim_cut() {
     let dirichlet = Fill::default().with_energy(FillEnergy::Dirichlet);
     let (usual, six) =
         (dirichlet.loops(&rim, &()).unwrap(), dirichlet.with_degree(6).loops(&rim, &()).unwrap());
-    assert_eq!(six.complex.degree(), 6);
-    assert!(usual.complex.degree() > 6 && usual.complex.faces().len() < six.complex.faces().len());
+    assert_eq!(six.complex().degree(), 6);
+    assert!(usual.complex().degree() > 6 && usual.complex().faces().len() < six.complex().faces().len());
 }
 
 /// A polygon around the axis; flat, or up and down by turns.
@@ -370,9 +370,9 @@ proptest! {
         let moved = |q: Point| p(c * q.x - s * q.z + 3.0, q.y - 1.0, s * q.x + c * q.z) * scale;
         let image: Vec<Point> = corners.iter().map(|&q| moved(q)).collect();
         let [a, b] = [corners, image].map(|corners| fill(&[Loop::polygon(&corners).unwrap()], 4).unwrap());
-        prop_assert_eq!((a.way, a.complex.faces().len()), (b.way, b.complex.faces().len()));
+        prop_assert_eq!((a.way, a.complex().faces().len()), (b.way, b.complex().faces().len()));
         prop_assert!((b.figures.area.value / (scale * scale) / a.figures.area.value - 1.0).abs() < 1e-11);
-        for (&q, &r) in a.complex.points().iter().zip(b.complex.points()) {
+        for (&q, &r) in a.complex().points().iter().zip(b.complex().points()) {
             // Points may slide along the surface at hardly any price; what rounding moves grows from step to step.
             prop_assert!(moved(q).distance(r) < 1e-5 * scale);
         }

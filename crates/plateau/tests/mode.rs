@@ -102,7 +102,7 @@ fn the_catenoid_gives_way_at_its_waist() {
     for h in [0.5, 0.6, 0.65, 0.662] {
         let film = fill(&rings(h), 8).unwrap();
         let found = film.extremal.as_ref().unwrap();
-        hold(&Surface::Complex(film.complex.clone()), found);
+        hold(&Surface::Complex(film.complex().clone()), found);
         let sigma = found.second_variation.unwrap();
         assert!(sigma > 0.0 && sigma < before, "{h}: {sigma}");
         before = sigma;

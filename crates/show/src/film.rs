@@ -79,7 +79,7 @@ fn least_area(film: &Film, estimate: &str) -> Option<String> {
 }
 
 fn faces(film: &Film) -> String {
-    let (faces, degree) = (film.complex.faces().len(), film.complex.degree());
+    let (faces, degree) = (film.complex().faces().len(), film.complex().degree());
     let layers = match film.layers {
         0 => String::new(),
         1 => ", a layer of smaller ones around corners".to_owned(),

@@ -76,7 +76,7 @@ impl Output {
         let experiment = || experiment().map_err(|error| Failure::of_input(name, error));
         let written = match wanted {
             Wanted::Surface(format) => {
-                let surface = (&filled.film.complex, &filled.film.mesh.mesh);
+                let surface = (filled.film.complex(), &filled.film.mesh.mesh);
                 let unit = filled.filling.unit();
                 let form = record::export_complex(*format, filled.title, surface, unit, to);
                 let told = |form: Option<SurfaceForm>| form.map(|form| form.description).into_iter();

@@ -23,10 +23,9 @@ use crate::{AreaExtremal, Done, Figures, FilmFigures, Interior, LowerBound, Seam
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Film {
-    /// The patches.
-    pub complex: Complex,
-    /// The names of its vertices, see [`CutBoundary::names`](crate::CutBoundary::names).
-    pub names: Vec<String>,
+    complex: Complex,
+    /// One for each vertex of the complex.
+    names: Vec<String>,
     /// How the boundary was cut.
     pub way: Way,
     /// Layers of smaller patches around corners, one in the other.
@@ -81,6 +80,24 @@ pub struct FilmFace<'a> {
 const ROUNDING: f64 = 1e-14;
 
 impl Film {
+    /// The patches.
+    #[must_use]
+    pub fn complex(&self) -> &Complex {
+        &self.complex
+    }
+
+    /// The patches by themselves.
+    #[must_use]
+    pub fn into_complex(self) -> Complex {
+        self.complex
+    }
+
+    /// The names of the vertices of the complex, see [`CutBoundary::names`](crate::CutBoundary::names).
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
     /// The film as the outcome of a method.
     #[must_use]
     pub fn into_done(self) -> Done {

@@ -66,9 +66,9 @@ impl Frame {
             Rim::Polygon(corners) => {
                 let fill = Fill::default().with_degree(self.degree).with_tolerance(1e-10);
                 let film = fill.loops(&[Loop::polygon(corners).expect("a polygon")], &()).expect("a film");
-                let found = film.extremal.expect("a least area");
-                let estimate = estimate_complex(&film.complex, &found, &()).expect("an estimate");
-                (film.complex, found, estimate)
+                let found = film.extremal.clone().expect("a least area");
+                let estimate = estimate_complex(film.complex(), &found, &()).expect("an estimate");
+                (film.into_complex(), found, estimate)
             }
         };
         Told { area: found.area.value, above: found.area.value - truth(&complex), estimate }
