@@ -40,7 +40,7 @@ pub(crate) static POINTS: Key<List<Points>> = Key::new(
     "write points = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]: a list of rows, each a list of points",
 );
 pub(crate) static SHAPE: Key<Reals> =
-    Key::new("shape", SHAPES, "").meaning(shape::meaning).advice(shape::advice);
+    Key::new("shape", SHAPES, "").meaning(shape::meaning_of_a_net).advice(shape::advice_of_a_net);
 pub(crate) static U_SPAN: Key<Interval> = Key::new(
     "u-span",
     SPAN,

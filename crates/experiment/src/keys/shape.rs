@@ -35,35 +35,59 @@ fn list(names: &[&str]) -> String {
     format!("[{}]", names.join(", "))
 }
 
-/// Every list of parameters that a family has, with its range, and the families that have it.
-fn lists() -> Vec<(String, String, Vec<&'static str>)> {
-    let mut lists: Vec<(String, String, Vec<_>)> = Vec::new();
-    for family in ShapedFamily::ALL {
+/// A list of parameters, its range, and the families that have it.
+struct Listed {
+    names: String,
+    within: String,
+    families: Vec<&'static str>,
+}
+
+/// Every list of parameters that some of the families have.
+fn lists(families: &[ShapedFamily]) -> Vec<Listed> {
+    let mut lists: Vec<Listed> = Vec::new();
+    for family in families {
         let (names, within) = (list(family.parameters()), range(family.range()));
-        match lists.iter_mut().find(|(other, range, _)| *other == names && *range == within) {
-            Some((.., families)) => families.push(family.title()),
-            None => lists.push((names, within, vec![family.title()])),
+        match lists.iter_mut().find(|list| list.names == names && list.within == within) {
+            Some(known) => known.families.push(family.title()),
+            None => lists.push(Listed { names, within, families: vec![family.title()] }),
         }
     }
     lists
 }
 
-/// What the shape of a surface means.
-pub(super) fn meaning() -> String {
-    let of =
-        |(names, _, families): &(String, String, Vec<&str>)| format!("{names} of {}", families.join(" and "));
-    let all: Vec<String> = lists().iter().map(of).collect();
+fn meaning_of(families: &[ShapedFamily]) -> String {
+    let of = |list: &Listed| format!("{} of {}", list.names, list.families.join(" and "));
+    let all: Vec<String> = lists(families).iter().map(of).collect();
     format!("the shape parameters {}, those in u before those in v", all.join(", "))
 }
 
-/// How the shape of a surface is written.
-pub(super) fn advice() -> String {
-    let all: Vec<String> =
-        lists().iter().map(|(names, within, _)| format!("{names}, each in {within}")).collect();
+fn advice_of(families: &[ShapedFamily]) -> String {
+    let of = |list: &Listed| format!("{}, each in {}", list.names, list.within);
+    let all: Vec<String> = lists(families).iter().map(of).collect();
     format!(
         "write shape = {}, those in u before those in v: outside, the functions become negative",
         all.join(", or ")
     )
+}
+
+/// What the shape of a method means.
+pub(super) fn meaning() -> String {
+    meaning_of(&ShapedFamily::ALL)
+}
+
+/// How the shape of a method is written.
+pub(super) fn advice() -> String {
+    advice_of(&ShapedFamily::ALL)
+}
+
+/// What the shape of a net means.
+pub(super) fn meaning_of_a_net() -> String {
+    meaning_of(&[ShapedFamily::Gt])
+}
+
+/// How the shape of a net is written.
+pub(super) fn advice_of_a_net() -> String {
+    advice_of(&[ShapedFamily::Gt])
 }
 
 /// That a family wants a shape.
