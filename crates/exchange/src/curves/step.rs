@@ -7,6 +7,7 @@ use super::{CurveFile, CurveFileError, FileCurve, Kind};
 use crate::Sentence;
 
 mod curve;
+mod fields;
 mod part21;
 mod unit;
 

@@ -2,6 +2,7 @@
 
 use surfaces::{EllipseArc, Point, SplineCurve};
 
+use super::fields::Fields;
 use super::part21::{Entity, Part21, Value};
 use crate::curves::{CurveFileError, Shape, limits, trim};
 
@@ -16,13 +17,6 @@ pub(super) struct Curves<'a> {
     file: &'a Part21<'a>,
     /// The unit of angles in radians.
     angle: f64,
-}
-
-/// Values of one entity, with the words for a refusal.
-struct Fields<'a> {
-    entity: &'a Entity,
-    id: u64,
-    line: usize,
 }
 
 /// What a curve is made of: bounded, or waiting for its ends.
@@ -339,69 +333,6 @@ impl<'a> Curves<'a> {
             .unit()
             .ok_or_else(|| f.wrong("its two axes are parallel"))?;
         Ok((self.point(f.reference(1)?)?, [first, normal.cross(first)]))
-    }
-}
-
-impl Fields<'_> {
-    fn wrong(&self, why: &str) -> CurveFileError {
-        CurveFileError::at(self.line, format!("#{} ({}): {why}", self.id, limits::name(&self.entity.name)))
-    }
-
-    fn named(&self, name: &str) -> Result<(), CurveFileError> {
-        if self.entity.name == name { Ok(()) } else { Err(self.wrong(&format!("a {name} was expected"))) }
-    }
-
-    fn reference(&self, place: usize) -> Result<u64, CurveFileError> {
-        match self.entity.values.get(place) {
-            Some(Value::Reference(id)) => Ok(*id),
-            _other => Err(self.wrong(&format!("parameter {} should refer to an instance", place + 1))),
-        }
-    }
-
-    fn number(&self, place: usize) -> Result<f64, CurveFileError> {
-        match self.entity.values.get(place) {
-            Some(Value::Number(x)) => Ok(*x),
-            // POSITIVE_LENGTH_MEASURE(1.)
-            Some(Value::Typed(_, inner)) => match inner.as_slice() {
-                [Value::Number(x)] => Ok(*x),
-                _other => Err(self.wrong(&format!("parameter {} should be a number", place + 1))),
-            },
-            _other => Err(self.wrong(&format!("parameter {} should be a number", place + 1))),
-        }
-    }
-
-    fn count(&self, place: usize) -> Result<usize, CurveFileError> {
-        let x = self.number(place)?;
-        if (0.0..=1000.0).contains(&x) && x.fract() == 0.0 {
-            Ok(x as usize)
-        } else {
-            Err(self.wrong(&format!("{x} is not a degree")))
-        }
-    }
-
-    fn flag(&self, place: usize) -> Option<bool> {
-        match self.entity.values.get(place) {
-            Some(Value::Word(word)) if word == "T" || word == "TRUE" => Some(true),
-            Some(Value::Word(word)) if word == "F" || word == "FALSE" => Some(false),
-            _other => None,
-        }
-    }
-
-    fn list(&self, place: usize) -> Result<&[Value], CurveFileError> {
-        match self.entity.values.get(place) {
-            Some(Value::List(values)) => Ok(values),
-            _other => Err(self.wrong(&format!("parameter {} should be a list", place + 1))),
-        }
-    }
-
-    fn references(&self, place: usize) -> Result<Vec<u64>, CurveFileError> {
-        let wrong = || self.wrong(&format!("parameter {} should be a list of instances", place + 1));
-        self.list(place)?.iter().map(|value| value.reference().ok_or_else(wrong)).collect()
-    }
-
-    fn numbers(&self, place: usize) -> Result<Vec<f64>, CurveFileError> {
-        let wrong = || self.wrong(&format!("parameter {} should be a list of numbers", place + 1));
-        self.list(place)?.iter().map(|value| value.number().ok_or_else(wrong)).collect()
     }
 }
 
