@@ -128,6 +128,41 @@ impl LengthUnit {
     }
 }
 
+/// What comments of a file say of the unit of its numbers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Commented {
+    /// Said of units: `Units: mm`, `File units = meters`.
+    stated: Option<LengthUnit>,
+    /// Named and nothing else, or at the end of `… in mm`.
+    named: Option<LengthUnit>,
+}
+
+impl Commented {
+    /// Takes a comment in; the first that states a unit counts, and before those that only name one.
+    pub(crate) fn hear(&mut self, comment: &str) {
+        let comment = comment.to_lowercase();
+        let mut words = comment
+            .split(|c: char| c.is_whitespace() || "=:,;.[]()#".contains(c))
+            .filter(|word| !word.is_empty());
+        if let Some((_, rest)) = comment.split_once("unit") {
+            let rest = rest.split(|c: char| c.is_whitespace() || "=:,;[]()".contains(c));
+            let stated = rest.filter(|word| !["", "s", "are", "is", "in"].contains(word)).map(LengthUnit::of_word).next();
+            self.stated = self.stated.or(stated.flatten());
+        } else if let Some(last) = words.next_back() {
+            let before = words.next_back();
+            // By itself a word may mean something else: the loop of a yard, point m.
+            let is_plain = before.is_none() && !["m", "in", "foot", "yard", "'", "\""].contains(&last);
+            let named = LengthUnit::of_word(last).filter(|_| is_plain || before == Some("in"));
+            self.named = self.named.or(named);
+        }
+    }
+
+    /// The unit, if a comment says one.
+    pub(crate) fn unit(self) -> Option<LengthUnit> {
+        self.stated.or(self.named)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

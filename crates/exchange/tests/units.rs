@@ -54,6 +54,19 @@ fn every_kind_of_file_says_what_its_numbers_are() {
         ("a.obj", obj(" File units = meters"), Some(LengthUnit::Metre)),
         ("a.obj", obj("Units: mm"), Some(LengthUnit::Millimetre)),
         ("a.obj", obj(" 12 unit tests"), None),
+        ("a.obj", obj(" metres"), Some(LengthUnit::Metre)),
+        ("a.obj", obj(" units [ft]"), Some(LengthUnit::Foot)),
+        ("a.obj", obj(" unit = ft"), Some(LengthUnit::Foot)),
+        ("a.obj", obj(" all dimensions in mm."), Some(LengthUnit::Millimetre)),
+        // A comment that only names one counts less than one that states it.
+        ("a.obj", obj(" metres\n# Units: mm"), Some(LengthUnit::Millimetre)),
+        ("a.obj", obj(" the yard"), None),
+        ("a.obj", obj(" yard"), None),
+        ("a.obj", obj(" m"), None),
+        ("a.obj", obj(" 7 metres of rope"), None),
+        ("a.csv", format!("# metres\n{}", table("x,y,z")), Some(LengthUnit::Metre)),
+        ("a.csv", format!("# coordinates in feet\n{}", table("x,y,z")), Some(LengthUnit::Foot)),
+        ("a.csv", format!("# units: mm\n{}", table("x [mm],y [mm],z [mm]")), Some(LengthUnit::Millimetre)),
         ("a.csv", table("x [mm],y [mm],z [mm]"), Some(LengthUnit::Millimetre)),
         ("a.csv", table("X (ft),Y (ft),Z (ft)"), Some(LengthUnit::Foot)),
         ("a.csv", table("x,y,z [m]"), None),
@@ -71,6 +84,9 @@ fn every_kind_of_file_says_what_its_numbers_are() {
     }
     let two = read_curves(table("x [mm],y [m],z [mm]").as_bytes(), "a.csv").unwrap_err().to_string();
     assert!(two.contains("millimetres and metres"), "{two}");
+    let text = format!("# metres\n{}", table("x [mm],y [mm],z [mm]"));
+    let two = read_curves(text.as_bytes(), "a.csv").unwrap_err().to_string();
+    assert!(two.contains("millimetres and a comment metres"), "{two}");
 }
 
 #[test]

@@ -4,7 +4,8 @@ use surfaces::Point;
 
 use super::limits::{self, MOST_CURVES, MOST_POINTS};
 use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape, text};
-use crate::{LengthUnit, Sentence};
+use crate::Sentence;
+use crate::unit::Commented;
 
 mod free_form;
 
@@ -42,7 +43,7 @@ struct Reader {
     passed_over: Vec<&'static str>,
     /// Whether the last curve is made of single segments.
     is_chain: bool,
-    unit: Option<LengthUnit>,
+    comments: Commented,
 }
 
 /// The lines (`l`) and curves (`curv`) of an OBJ file, named by the last `o` or `g` before them. Lines that go on where the one
@@ -77,7 +78,7 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
 impl Reader {
     fn statement(&mut self, line: &str, number: usize) -> Result<(), CurveFileError> {
         let (line, comment) = line.split_once('#').unwrap_or((line, ""));
-        self.unit = self.unit.or_else(|| unit_of(comment));
+        self.comments.hear(comment);
         let mut cells = line.split_whitespace();
         let Some(word) = cells.next() else { return Ok(()) };
         match word {
@@ -270,11 +271,12 @@ impl Reader {
                 self.faces
             ));
         }
-        if let Some(unit) = self.unit {
+        let unit = self.comments.unit();
+        if let Some(unit) = unit {
             notes.push(format!("lengths are in {}, as a comment of the file says", unit.plural()));
         }
         let notes = notes.into_iter().map(Sentence::from).collect();
-        Ok(CurveFile { kind: Kind::Obj, curves, unit: self.unit, notes })
+        Ok(CurveFile { kind: Kind::Obj, curves, unit, notes })
     }
 
     fn shape(&self, draft: &Draft) -> Result<Shape, CurveFileError> {
@@ -320,16 +322,6 @@ fn nothing(reader: &Reader) -> CurveFileError {
     } else {
         "the file has no lines (elements `l`) and no curves (`curv`): export the sides of the boundary as curves or edges".into()
     })
-}
-
-/// The unit that a comment states, as some exporters write it: `File units = meters`, `Units: mm`.
-fn unit_of(comment: &str) -> Option<LengthUnit> {
-    let comment = comment.to_lowercase();
-    let (_, rest) = comment.split_once("unit")?;
-    rest.split(|c: char| c.is_whitespace() || "=:,;".contains(c))
-        .filter(|word| !["", "s", "are", "is", "in"].contains(word))
-        .map(LengthUnit::of_word)
-        .next()?
 }
 
 fn number(cell: &str, line: usize) -> Result<f64, CurveFileError> {

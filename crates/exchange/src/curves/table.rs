@@ -4,9 +4,11 @@ use std::collections::HashMap;
 
 use surfaces::Point;
 
+use crate::unit::Commented;
+use crate::{LengthUnit, Sentence};
+
 use super::limits::{self, LARGEST_COORDINATE, MOST_CURVES, MOST_POINTS};
-use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape};
-use crate::Sentence;
+use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape, text};
 
 mod columns;
 mod row;
@@ -39,7 +41,22 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
     for row in rest.into_iter().chain(rows) {
         sides.add(&row, &columns, separator)?;
     }
-    sides.finish(&columns, notes)
+    sides.finish(&columns, unit(&columns, text)?, notes)
+}
+
+/// The unit of the numbers with what says so, if something does.
+fn unit(columns: &Columns, text: &str) -> Result<Option<(LengthUnit, &'static str)>, CurveFileError> {
+    let mut comments = Commented::default();
+    text::lines(text).filter_map(|(_, line)| line.strip_prefix('#')).for_each(|comment| comments.hear(comment));
+    match (columns.unit, comments.unit()) {
+        (Some(heading), Some(comment)) if heading != comment => Err(CurveFileError::File(format!(
+            "its heading names {} and a comment {}: leave one out, for numbers are not converted",
+            heading.plural(),
+            comment.plural()
+        ))),
+        (Some(unit), _) => Ok(Some((unit, "the heading"))),
+        (None, unit) => Ok(unit.map(|unit| (unit, "a comment of the file"))),
+    }
 }
 
 #[derive(Default)]
@@ -138,7 +155,12 @@ impl Sides {
         }
     }
 
-    fn finish(mut self, columns: &Columns, mut notes: Vec<String>) -> Result<CurveFile, CurveFileError> {
+    fn finish(
+        mut self,
+        columns: &Columns,
+        unit: Option<(LengthUnit, &str)>,
+        mut notes: Vec<String>,
+    ) -> Result<CurveFile, CurveFileError> {
         if self.curves.is_empty() {
             return Err(CurveFileError::File("holds a heading and no points below it".into()));
         }
@@ -177,12 +199,14 @@ impl Sides {
                 format!("the table has no column of sides: its {count} blocks between blank lines are a curve each")
             });
         }
-        if let Some(unit) = columns.unit {
-            notes.push(format!("lengths are in {}, as the heading says", unit.plural()));
+        if let Some((unit, said_by)) = unit {
+            notes.push(format!("lengths are in {}, as {said_by} says", unit.plural()));
         }
         let notes = notes.into_iter().map(Sentence::from).collect();
-        Ok(CurveFile { kind: Kind::Table, curves: self.curves, unit: columns.unit, notes })
+        let unit = unit.map(|(unit, _)| unit);
+        Ok(CurveFile { kind: Kind::Table, curves: self.curves, unit, notes })
     }
+
     /// Joins sides of one point each, three or more, to one curve a block: their names are those of the points. Whether they were such.
     fn join_points(&mut self, columns: &Columns) -> Result<bool, CurveFileError> {
         let is_point =
