@@ -63,7 +63,7 @@ type Fields<'py> = (
     bool,
 );
 
-/// The curves of a file, and what is to be said of it.
+/// The curves of a file, what is to be said of it, and the unit it states.
 ///
 /// Of an arc the points are its centre and the unit vectors of its axes.
 #[pyfunction]
@@ -71,12 +71,13 @@ pub(crate) fn read_curves<'py>(
     py: Python<'py>,
     bytes: &[u8],
     name: &str,
-) -> PyResult<(Vec<Fields<'py>>, Vec<String>)> {
+) -> PyResult<(Vec<Fields<'py>>, Vec<String>, Option<&'static str>)> {
     let (given, called) = (bytes.to_owned(), name.to_owned());
     let file = watched(py, None, move |_| exchange::read_curves(&given, &called))?
         .map_err(|error| BoundaryError::new_err(format!("{name}: {error}")))?;
     let curves = file.curves.into_iter().map(|curve| fields(py, curve)).collect::<PyResult<_>>()?;
-    Ok((curves, file.notes.iter().map(|note| note.told(&spelled)).collect()))
+    let notes = file.notes.iter().map(|note| note.told(&spelled)).collect();
+    Ok((curves, notes, file.unit.map(exchange::LengthUnit::name)))
 }
 
 fn fields(py: Python<'_>, curve: FileCurve) -> PyResult<Fields<'_>> {

@@ -58,6 +58,12 @@ impl Run {
         record.to_json().map_err(|error| MethodError::new_err(error.to_string()))
     }
 
+    /// What its numbers are, if the experiment says so.
+    #[getter]
+    fn unit(&self) -> Option<&'static str> {
+        self.plan.output.step.unit.map(exchange::LengthUnit::name)
+    }
+
     /// The table that the command prints, in so many columns.
     fn table(&self, width: usize) -> String {
         show::table(&self.finished.results, width)

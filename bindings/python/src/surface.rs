@@ -4,7 +4,7 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use exchange::{Accuracy, Format, SurfaceForm, spline};
+use exchange::{Accuracy, Format, LengthUnit, StepForm, SurfaceForm, spline};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayDyn, PyReadonlyArray2, ToPyArray};
 use plateau::{Done, Family, MethodResult, Progress, Surface as Geometry};
 use pyo3::exceptions::PyIndexError;
@@ -268,14 +268,18 @@ impl Surface {
         format: &str,
         subdivisions: usize,
         tolerance: f64,
+        unit: Option<&str>,
     ) -> PyResult<Option<String>> {
+        let step = StepForm { tolerance, unit: unit.map(length_unit).transpose()? };
         let known = Format::named(format);
         let format = known.ok_or_else(|| FormatError::new_err(format!("{format}: no such format")))?;
         let to = Destination::named(&path)
             .map_err(|error| io::Error::new(error.kind(), format!("{}: {error}", path.display())))?;
         let surface = self.found();
-        let written = watched_to_its_end(py, move |_| surface.write(format, subdivisions, tolerance, &to))??;
-        Ok(written.map(|form| form.description))
+        let written = watched_to_its_end(py, move |_| surface.write(format, subdivisions, step, &to))??;
+        let lengths = step.unit.and_then(|unit| format.lengths().told(Some(unit)));
+        let told: Vec<String> = written.map(|form| form.description).into_iter().chain(lengths).collect();
+        Ok((!told.is_empty()).then(|| told.join("; ")))
     }
 }
 
@@ -300,17 +304,17 @@ impl Found {
         &self,
         format: Format,
         subdivisions: usize,
-        tolerance: f64,
+        step: StepForm,
         to: &Destination,
     ) -> PyResult<Option<SurfaceForm>> {
         let written = match &self.geometry {
             Geometry::Complex(complex) => {
                 let mesh =
                     complex.mesh(subdivisions).map_err(|error| FormatError::new_err(error.to_string()))?;
-                record::export_complex(format, &self.stored.name, (complex, &mesh.mesh), None, to)
+                record::export_complex(format, &self.stored.name, (complex, &mesh.mesh), step.unit, to)
             }
             Geometry::Tensor(_) | Geometry::Triangle(_) | Geometry::Pieces(_) => {
-                self.stored.export(format, subdivisions, tolerance, to)
+                self.stored.export(format, subdivisions, step, to)
             }
         };
         written.map_err(|error| of_export(&error))
@@ -330,6 +334,15 @@ impl Found {
             Geometry::Complex(complex) => of_complex(complex),
         }
     }
+}
+
+/// A unit by its name.
+fn length_unit(name: &str) -> PyResult<LengthUnit> {
+    let found = LengthUnit::NAMED.into_iter().find(|(known, _)| *known == name);
+    found.map(|(_, unit)| unit).ok_or_else(|| {
+        let known = LengthUnit::NAMED.map(|(name, _)| name).join(", ");
+        FormatError::new_err(format!("{name:?} is no unit of length; give one of {known}"))
+    })
 }
 
 /// The format that a file of this name has; none if its ending is that of no format.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -78,6 +79,25 @@ def test_curves_are_read_from_every_format(tmp_path: Path) -> None:
     # The edges of the patch that was written are splines of its degree.
     assert {curve.degree for curve in pp.from_file(step)} == {6}
     assert pp.fill(step, degree=6).area == pytest.approx(areas[0], abs=1e-9)
+
+
+def test_a_unit_that_is_known_goes_into_the_files(tmp_path: Path) -> None:
+    rim = tmp_path / "rim.csv"
+    rim.write_text("# inches\nx,y,z\n0,0,0\n1,0,0\n1,1,1\n0,1,0\n")
+    assert pp.from_file(rim).unit == "inch"
+    film = pp.fill(rim, degree=3)
+    assert film.unit == "inch" and pickle.loads(pickle.dumps(film)).unit == "inch"
+    ran = pp.run('title = "x"\n[boundary]\npolygon = [[0,0,0],[1,0,0],[1,1,1],[0,1,0]]\n[[method]]\nname = "m"\nenergy = "area"\n[output]\nstep-unit = "inch"\n')
+    for surface in (film, ran["m"], pickle.loads(pickle.dumps(ran))["m"]):
+        told = surface.save(tmp_path / "x.glb")
+        assert told == "in metres, as glTF is: 1 inch became 0.0254"
+        assert b'"scale":[0.0254,0.0254,0.0254]' in (tmp_path / "x.glb").read_bytes()
+        surface.save(tmp_path / "x.step")
+        assert "CONVERSION_BASED_UNIT('INCH'" in (tmp_path / "x.step").read_text()
+        surface.save(tmp_path / "y.glb", unit="m")
+        assert b'"scale"' not in (tmp_path / "y.glb").read_bytes()
+    with pytest.raises(pp.FormatError, match="'parsec' is no unit of length; give one of mm, cm"):
+        film.save(tmp_path / "x.step", unit="parsec")
 
 
 def test_what_is_no_file_of_curves_is_said(tmp_path: Path) -> None:

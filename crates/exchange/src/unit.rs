@@ -146,7 +146,10 @@ impl Commented {
             .filter(|word| !word.is_empty());
         if let Some((_, rest)) = comment.split_once("unit") {
             let rest = rest.split(|c: char| c.is_whitespace() || "=:,;[]()".contains(c));
-            let stated = rest.filter(|word| !["", "s", "are", "is", "in"].contains(word)).map(LengthUnit::of_word).next();
+            let stated = rest
+                .filter(|word| !["", "s", "are", "is", "in"].contains(word))
+                .map(LengthUnit::of_word)
+                .next();
             self.stated = self.stated.or(stated.flatten());
         } else if let Some(last) = words.next_back() {
             let before = words.next_back();

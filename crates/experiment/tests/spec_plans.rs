@@ -410,7 +410,7 @@ fn output_formats_in_the_order_of_the_file() {
             mesh: 2000,
             formats: vec![Format::Step, Format::Obj],
             pictures: false,
-            step: StepForm { tolerance: 1e-3, unit: LengthUnit::Inch }
+            step: StepForm { tolerance: 1e-3, unit: Some(LengthUnit::Inch) }
         }
     );
 }

@@ -303,9 +303,9 @@ pub(crate) struct ExportArguments {
     /// step, vtu-bezier: largest distance between a fitted surface and the patch, as a share of the size
     #[arg(long, value_name = "T", default_value_t = exchange::DEFAULT_TOLERANCE, value_parser = share)]
     pub(crate) tolerance: f64,
-    /// STEP: what the numbers are; they are written unchanged
-    #[arg(long, value_name = "UNIT", default_value = "mm", value_parser = one_of(LengthUnit::NAMED))]
-    pub(crate) unit: LengthUnit,
+    /// What the numbers are: STEP files say so, GLB is scaled to its metres; by default what the experiment of the result says, else CAD programs take them for millimetres
+    #[arg(long, value_name = "UNIT", value_parser = one_of(LengthUnit::NAMED))]
+    pub(crate) unit: Option<LengthUnit>,
     /// The file to write, for a single method; by default files beside the result, named after their methods, and after a result that is not called result.json
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

@@ -29,7 +29,7 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
         )));
     }
     let format = arguments.format;
-    let step = StepForm { tolerance: arguments.tolerance, unit: arguments.unit };
+    let step = StepForm { tolerance: arguments.tolerance, unit: arguments.unit.or(stored.unit) };
     let (folder, prefix) = (result.parent().unwrap_or(Path::new("")), prefix(result));
     let mut sound = true;
     for method in chosen {
@@ -41,9 +41,12 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
         };
         let path = to.path().display();
         let written = method.export(format, arguments.mesh.into(), step, &to);
-        match written
-            .map(|form| form.map_or(format!("{path}"), |form| format!("{path}: {}", form.description)))
-        {
+        // Of what is not known there is nothing to say.
+        let lengths = step.unit.and_then(|unit| format.lengths().told(Some(unit)));
+        match written.map(|form| {
+            let told: Vec<String> = form.map(|form| form.description).into_iter().chain(lengths).collect();
+            if told.is_empty() { format!("{path}") } else { format!("{path}: {}", told.join("; ")) }
+        }) {
             // What is read at once may be read from stdout.
             Ok(told) if to.is_stream() => say(&told),
             Ok(told) => line(stdout, &told)?,

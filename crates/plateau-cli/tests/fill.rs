@@ -257,20 +257,42 @@ fn what_the_numbers_are_is_carried_to_what_is_written() {
         root["nodes"][0]["scale"][0].as_f64().unwrap_or(1.0)
     };
     for (comment, options, unit, metres) in [
-        ("# Units: inches\n", vec![], "CONVERSION_BASED_UNIT('INCH'", 0.0254),
+        ("# inches\n", vec![], "CONVERSION_BASED_UNIT('INCH'", 0.0254),
         ("# Units: inches\n", vec!["--unit", "cm"], ".CENTI.,.METRE.", 0.01),
         ("", vec!["--unit", "mm"], ".MILLI.,.METRE.", 0.001),
         // Nothing is known: as ever.
         ("", vec![], ".MILLI.,.METRE.", 1.0),
     ] {
         fs::write(folder.path().join("rim.obj"), format!("{comment}{HEXAGON}")).unwrap();
-        let out = fill(folder.path(), &[vec!["rim.obj", "-o", "x.step", "-o", "x.glb"], options].concat());
+        let out =
+            fill(folder.path(), &[vec!["rim.obj", "-o", "x.step", "-o", "x.glb"], options.clone()].concat());
         assert!((area(&out) - 1.5 * SKEW).abs() < 1e-10);
         let step = fs::read_to_string(folder.path().join("x.step")).unwrap();
         assert!(step.contains(unit), "{unit}");
         assert_eq!(scale("x.glb"), metres);
         let said = text(&out.stderr);
         assert_eq!(said.contains("--unit says what they are"), metres == 1.0, "{said}");
+        // The experiment, its result and what is exported of that know it, too.
+        let toml = [&["rim.obj", "-o", "x.toml"], &options[..]].concat();
+        assert!(fill(folder.path(), &toml).status.success());
+        let experiment = fs::read_to_string(folder.path().join("x.toml")).unwrap();
+        let output = if experiment.contains("[output]") { "" } else { "[output]\n" };
+        let formats = "formats = [\"glb\"]\npictures = false\n";
+        fs::write(folder.path().join("x.toml"), format!("{experiment}{output}{formats}")).unwrap();
+        let plateau = |arguments: &[&str]| {
+            let out = Command::new(env!("CARGO_BIN_EXE_plateau"))
+                .args(arguments)
+                .current_dir(folder.path())
+                .output();
+            text(&out.unwrap().stdout)
+        };
+        let said = plateau(&["run", "x.toml", "--out", "."]);
+        assert_eq!(said.contains("in metres, as glTF is"), metres != 1.0, "{said}");
+        assert_eq!(scale("x/least-area.glb"), metres);
+        let said = plateau(&["export", "x/result.json", "--format", "glb", "--out", "y.glb"]);
+        assert_eq!(said.contains("in metres, as glTF is"), metres != 1.0, "{said}");
+        plateau(&["export", "x/result.json", "--format", "glb", "--unit", "ft", "--out", "z.glb"]);
+        assert_eq!((scale("y.glb"), scale("z.glb")), (metres, 0.3048));
     }
 }
 

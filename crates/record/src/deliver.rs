@@ -155,6 +155,10 @@ impl Delivery<'_> {
             Ok(form) => {
                 if let Some(form) = &form {
                     self.notes.push(format!("{file}: {}", form.description));
+                } else if let Some(unit) = self.plan.output.step.unit
+                    && let Some(told) = format.lengths().told(Some(unit))
+                {
+                    self.notes.push(format!("{file}: {told}"));
                 }
                 self.record.add_file(Some(k), file, form);
             }
@@ -179,8 +183,10 @@ impl Delivery<'_> {
         if self.plan.output.formats.contains(&Format::Glb)
             && let Some((helicoid, catenoid, weights)) = deformation(finished)
         {
-            let title = finished.results.title();
-            self.keep(DEFORMATION_FILE, &|out| write_deformation(title, helicoid, catenoid, &weights, out))?;
+            let (title, unit) = (finished.results.title(), self.plan.output.step.unit);
+            self.keep(DEFORMATION_FILE, &|out| {
+                write_deformation(title, helicoid, catenoid, &weights, unit, out)
+            })?;
             listed.push(DEFORMATION_FILE.to_owned());
         }
         match self.plan.output.pictures {

@@ -104,9 +104,7 @@ fn encode(
     place: &dyn Fn(Fill<'_>) -> io::Result<()>,
 ) -> Result<Option<SurfaceForm>, ExportError> {
     let coloured = by_mean_curvature(mesh);
-    // The unit is that of STEP files.
-    let unit = Some(step.unit).filter(|_| format == Format::Step);
-    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()), unit };
+    let subject = Subject { name, mesh, colours: colours(coloured.as_ref()), unit: step.unit };
     placed(SurfaceFile::new(format, subject, (surface, family), step.tolerance), path, place)
 }
 

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use exchange::{Format, StepForm, SurfaceForm};
+use exchange::{Format, LengthUnit, StepForm, SurfaceForm};
+use experiment::Plan;
 use plateau::{Family, MethodResult, Surface};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -13,7 +14,7 @@ use crate::export::{self, Named};
 use crate::file_name::file_names;
 use crate::result::{Head, SurfaceEntry};
 use crate::result_reader::{check_schema, check_size, contents, required};
-use crate::{Destination, ExportError, ReadError};
+use crate::{Destination, ExportError, Manifest, ReadError};
 
 /// The surfaces of a result.
 #[derive(Debug, Clone)]
@@ -23,6 +24,8 @@ pub struct StoredResult {
     pub title: String,
     /// Its methods, in the order of the file.
     pub methods: Vec<StoredMethod>,
+    /// What its numbers are, if its experiment says so.
+    pub unit: Option<LengthUnit>,
 }
 
 /// A method of a result.
@@ -44,6 +47,13 @@ struct Cover {
     schema: Option<String>,
     title: Option<String>,
     methods: Option<Vec<Value>>,
+    manifest: Option<Value>,
+}
+
+/// What the experiment in a manifest says of the unit of its numbers; none where this version cannot read either.
+fn unit(manifest: Option<Value>) -> Option<LengthUnit> {
+    let manifest: Manifest = serde_json::from_value(manifest?).ok()?;
+    Plan::parse(&manifest.file, &manifest.experiment).ok()?.output.step.unit
 }
 
 impl StoredResult {
@@ -73,7 +83,7 @@ impl StoredResult {
         let stored = methods.into_iter().zip(files);
         let stored =
             stored.map(|((name, surface), file_name)| StoredMethod { name, file_name, surface }).collect();
-        Ok(Self { title, methods: stored })
+        Ok(Self { title, methods: stored, unit: unit(cover.manifest) })
     }
 }
 

@@ -120,6 +120,8 @@ class Curves:
     """At least one."""
     notes: list[str]
     """What is to be said of the file: what was passed over, what was assumed."""
+    unit: str | None = None
+    """What its numbers are, where the file says so: ``mm``, ``cm``, ``m``, ``inch``, ``ft``, …"""
 
     def __iter__(self) -> Iterator[Curve]:
         return iter(self.curves)
@@ -145,9 +147,9 @@ def from_file(path: str | PathLike[str]) -> Curves:
         from .rhino import load
 
         return load(path)
-    fields, notes = _engine.read_curves(content, path.name)
+    fields, notes, unit = _engine.read_curves(content, path.name)
     curves = [
         Curve(kind, given, degree, knots, weights, radii, angles, closed, name)
         for name, kind, given, degree, knots, weights, radii, angles, closed in fields
     ]
-    return Curves(curves, notes)
+    return Curves(curves, notes, unit)

@@ -27,7 +27,7 @@ class Results(Mapping[str, Surface]):
     A method that failed keeps its place; to take its surface raises its error.
     """
 
-    def __init__(self, record: str, experiment: str, run: _engine.Run | None = None) -> None:
+    def __init__(self, record: str, experiment: str, run: _engine.Run | None = None, unit: str | None = None) -> None:
         self._text = record
         self._record: dict[str, Any] = json.loads(record)
         self._run = run
@@ -35,6 +35,7 @@ class Results(Mapping[str, Surface]):
         """The text of the experiment; empty where only its result was read."""
         self._places = {method["name"]: k for k, method in enumerate(self._record["methods"])}
         self._surfaces: dict[str, Surface] = {}
+        self._unit = run.unit if run else unit
 
     def __getitem__(self, name: str) -> Surface:
         if name not in self._places:
@@ -45,7 +46,7 @@ class Results(Mapping[str, Surface]):
             if "error" in entry:
                 raise MethodError(f"{name}: {entry['error']}")
             handle = self._run.surface(place) if self._run else _engine.Surface.restore(json.dumps(entry))
-            self._surfaces[name] = Surface(handle, self.title, self._record.get("warnings", []), self.experiment)
+            self._surfaces[name] = Surface(handle, self.title, self._record.get("warnings", []), self.experiment, self._unit)
         return self._surfaces[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -134,7 +135,7 @@ class Results(Mapping[str, Surface]):
         return f"<div>{pictures.get('surfaces', '')}</div><table>{head}{rows}</table>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Results, (self._text, self.experiment)
+        return Results, (self._text, self.experiment, None, self._unit)
 
 
 def run(

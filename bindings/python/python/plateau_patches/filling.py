@@ -136,7 +136,8 @@ def fill(
     if not all_curves:
         raise BoundaryError("there is no loop")
     handle, more = _engine.fill_loops(all_curves, options, progress)
-    return Surface(handle, warnings=notes + more)
+    unit = loops.unit if isinstance(loops, Curves) else None
+    return Surface(handle, warnings=notes + more, unit=unit)
 
 
 def _curves(loops: Any) -> list[Curve]:

@@ -109,7 +109,12 @@ class Surface:
     """
 
     def __init__(
-        self, handle: _engine.Surface, title: str = "", warnings: list[str] | None = None, experiment: str = ""
+        self,
+        handle: _engine.Surface,
+        title: str = "",
+        warnings: list[str] | None = None,
+        experiment: str = "",
+        unit: str | None = None,
     ) -> None:
         self._handle = handle
         self._record: dict[str, Any] = json.loads(handle.record)
@@ -117,6 +122,9 @@ class Surface:
         self._about = list(warnings or [])
         self.experiment = experiment
         """The experiment it comes of, which ``plateau run`` and :func:`run` take; empty where curves were filled directly."""
+
+        self.unit = unit
+        """What its numbers are, where the file of its curves or its experiment says so; :meth:`save` writes it."""
 
     @property
     def name(self) -> str:
@@ -286,12 +294,21 @@ class Surface:
         return data
 
     def save(
-        self, path: str | PathLike[str], format: str | None = None, *, n: int | None = None, tolerance: float = 1e-6
+        self,
+        path: str | PathLike[str],
+        format: str | None = None,
+        *,
+        n: int | None = None,
+        tolerance: float = 1e-6,
+        unit: str | None = None,
     ) -> str | None:
         """Writes the surface in the format of the file's extension, or in ``format``: ``obj``, ``ply``, ``stl``, ``glb``,
         ``vtu`` (meshes of ``n`` subdivisions a side: 48, or 16 of each of several patches), ``step``, ``vtu-bezier`` (files that
         end in ``.bezier.vtu``) and, with the extra ``rhino``, ``3dm`` (the surface itself, or a fit within ``tolerance`` of its size). The file is there whole or not at all; folders
         that are not there are made.
+
+        ``unit`` says what the numbers are (``mm``, ``cm``, ``m``, ``inch``, ``ft``, ``um``, ``dm``, ``km``, ``yd``, ``us-ft``; by default
+        :attr:`unit`): STEP files say so, GLB is scaled to its metres.
 
         Returns:
             How the file holds the surface, where that takes saying: by a formula, or with less than all digits.
@@ -315,7 +332,7 @@ class Surface:
         if wanted not in known:
             found = f"{wanted!r} is no format of surfaces" if wanted else f"{path} has no extension to tell the format by"
             raise FormatError(f"{found}; give one of {', '.join(known)}")
-        return self._handle.write(path, wanted, n, tolerance)
+        return self._handle.write(path, wanted, n, tolerance, unit or self.unit)
 
     def _page(self) -> tuple[str, list[tuple[str, str, str]]]:
         return _engine.page(self._title, [self._handle], self.warnings, self.experiment)
@@ -365,7 +382,7 @@ class Surface:
         return hash(self._handle.record)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self._handle.record, self._title, self._about, self.experiment)
+        return _restored, (self._handle.record, self._title, self._about, self.experiment, self.unit)
 
     def __copy__(self) -> Surface:
         return self
@@ -375,8 +392,8 @@ class Surface:
         return self
 
 
-def _restored(record: str, title: str, warnings: list[str], experiment: str) -> Surface:
-    return Surface(_engine.Surface.restore(record), title, warnings, experiment)
+def _restored(record: str, title: str, warnings: list[str], experiment: str, unit: str | None = None) -> Surface:
+    return Surface(_engine.Surface.restore(record), title, warnings, experiment, unit)
 
 
 def _library(name: str) -> Any:

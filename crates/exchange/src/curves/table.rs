@@ -47,7 +47,9 @@ pub(super) fn read(text: &str) -> Result<CurveFile, CurveFileError> {
 /// The unit of the numbers with what says so, if something does.
 fn unit(columns: &Columns, text: &str) -> Result<Option<(LengthUnit, &'static str)>, CurveFileError> {
     let mut comments = Commented::default();
-    text::lines(text).filter_map(|(_, line)| line.strip_prefix('#')).for_each(|comment| comments.hear(comment));
+    text::lines(text)
+        .filter_map(|(_, line)| line.strip_prefix('#'))
+        .for_each(|comment| comments.hear(comment));
     match (columns.unit, comments.unit()) {
         (Some(heading), Some(comment)) if heading != comment => Err(CurveFileError::File(format!(
             "its heading names {} and a comment {}: leave one out, for numbers are not converted",

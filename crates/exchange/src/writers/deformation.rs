@@ -4,6 +4,8 @@ use std::io::{self, Write};
 
 use surfaces::Mesh;
 
+use crate::LengthUnit;
+
 use super::format::{Motion, write_glb};
 use super::subject::Subject;
 
@@ -12,6 +14,8 @@ const SECONDS: f64 = 4.0;
 
 /// Writes the deformation from `helicoid` to `catenoid`, meshes over the same parameters, through the frames with
 /// `weights` (a, b), the first (1, 0).
+///
+/// `unit` is what the numbers are, if that is known: glTF is in metres.
 ///
 /// The surface (a, b) is `a · helicoid + b · catenoid`, point by point, so two targets hold every frame exactly, however
 /// many there are: `−helicoid` with weight 1 − a and `catenoid` with weight b. What a viewer shows between two frames is
@@ -25,6 +29,7 @@ pub fn write_deformation(
     helicoid: &Mesh,
     catenoid: &Mesh,
     weights: &[[f64; 2]],
+    unit: Option<LengthUnit>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let last = weights.len().saturating_sub(1).max(1) as f64;
@@ -40,7 +45,7 @@ pub fn write_deformation(
             .map(|(step, k)| (SECONDS * step as f64 / last, vec![1.0 - weights[k][0], weights[k][1]]))
             .collect(),
     };
-    let subject = Subject { name, mesh: helicoid, colours: None, unit: None };
+    let subject = Subject { name, mesh: helicoid, colours: None, unit };
     write_glb(&subject, Some(&motion), out)
 }
 
@@ -78,8 +83,15 @@ mod tests {
         let deformation = Deformation::new(DeformationPath::Linear, 1.0, 3.0).unwrap();
         let mesh = |lambda: f64| Mesh::of(&deformation.surface(lambda).unwrap(), 2);
         let mut bytes = Vec::new();
-        write_deformation("d", &mesh(0.0), &mesh(1.0), &[[1.0, 0.0], [0.5, 0.5], [0.0, 1.0]], &mut bytes)
-            .unwrap();
+        write_deformation(
+            "d",
+            &mesh(0.0),
+            &mesh(1.0),
+            &[[1.0, 0.0], [0.5, 0.5], [0.0, 1.0]],
+            None,
+            &mut bytes,
+        )
+        .unwrap();
         let text = String::from_utf8_lossy(&bytes);
         // Times 0, 2, 4, 6, 8.
         assert!(text.contains(r#""max":[8.0]"#) && text.contains(r#""interpolation":"LINEAR""#), "{text}");

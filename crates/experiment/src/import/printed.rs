@@ -74,9 +74,9 @@ fn method(fill: &Fill) -> String {
     text
 }
 
-/// What the numbers are, for STEP files; nothing where they are taken for that anyway.
+/// What the numbers are, where that is known.
 pub(super) fn output(unit: Option<LengthUnit>) -> String {
-    match unit.filter(|unit| *unit != LengthUnit::default()) {
+    match unit {
         Some(unit) => format!("\n[output]\nstep-unit = {}\n", quoted(unit.name())),
         None => String::new(),
     }

@@ -40,9 +40,10 @@ pub(crate) static STEP_TOLERANCE: Key<Interval> = Key::new(
 pub(crate) static STEP_UNIT: Key<Name<LengthUnit>> = Key::new(
     "step-unit",
     Name(&LengthUnit::NAMED),
-    "what the numbers are, for STEP files, which say so; they are written unchanged",
+    "what the numbers are: STEP files say so and have them unchanged, GLB, which is in metres, is scaled; without it STEP says millimetres and GLB \
+     has the numbers as they are",
 )
-.or("\"mm\"");
+.such_as("\"m\"");
 
 pub(crate) static SECTION: Section = Section {
     doc: "what is written beside result.json",

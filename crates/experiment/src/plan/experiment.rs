@@ -69,7 +69,7 @@ fn output(table: &Table<'_>) -> Option<Output> {
     let mesh = table.take_or_default(&MESH);
     let named = table.take_or_default(&FORMATS);
     let pictures = table.take_or_default(&PICTURES);
-    let (tolerance, unit) = (table.take_or_default(&STEP_TOLERANCE), table.take_or_default(&STEP_UNIT));
+    let (tolerance, unit) = (table.take_or_default(&STEP_TOLERANCE), table.take(&STEP_UNIT).known());
     let mut formats = Vec::new();
     for format in named?.into_iter().map(Spanned::into_inner) {
         if !formats.contains(&format) {
@@ -80,7 +80,7 @@ fn output(table: &Table<'_>) -> Option<Output> {
         mesh: mesh?,
         formats,
         pictures: pictures?,
-        step: StepForm { tolerance: tolerance?, unit: unit? },
+        step: StepForm { tolerance: tolerance?, unit: unit?.map(Spanned::into_inner) },
     })
 }
 

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use exchange::{Format, LengthUnit, Lengths, SurfaceForm};
+use exchange::{Format, SurfaceForm};
 use experiment::{Filling, Options, Plan};
-use plateau::{Fill, Film, Notation};
+use plateau::{Fill, Film};
 use record::{Destination, ExportError, ResultFile};
 
 use crate::failure::Failure;
@@ -80,7 +80,7 @@ impl Output {
                 let unit = filled.filling.unit();
                 let form = record::export_complex(*format, filled.title, surface, unit, to);
                 let told = |form: Option<SurfaceForm>| form.map(|form| form.description).into_iter();
-                form.map(|form| told(form).chain(said(*format, unit)).collect::<Vec<_>>())
+                form.map(|form| told(form).chain(format.lengths().told(unit)).collect::<Vec<_>>())
             }
             Wanted::Experiment => text(experiment()?),
             Wanted::Result | Wanted::Page => {
@@ -96,26 +96,6 @@ impl Output {
             }
         }
         Ok(true)
-    }
-}
-
-/// What a program that reads the file takes its numbers for, where that is not left open.
-fn said(format: Format, unit: Option<LengthUnit>) -> Option<String> {
-    match (format.lengths(), unit) {
-        (Lengths::Named, Some(unit)) => Some(format!("its numbers are {}", unit.plural())),
-        (Lengths::Named, None) => {
-            Some("CAD programs take its numbers for millimetres, --unit says what they are".into())
-        }
-        (Lengths::Metres, Some(LengthUnit::Metre)) => Some("in metres, as glTF is".into()),
-        (Lengths::Metres, Some(unit)) => Some(format!(
-            "in metres, as glTF is: 1 {} became {}",
-            unit.name(),
-            Notation::Short(12).of(unit.metres())
-        )),
-        (Lengths::Metres, None) => {
-            Some("viewers take its numbers for metres, --unit says what they are".into())
-        }
-        (Lengths::Unsaid, _) => None,
     }
 }
 

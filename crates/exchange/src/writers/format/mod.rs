@@ -10,7 +10,10 @@ use std::fmt;
 
 pub(super) use glb::{Motion, write as write_glb};
 
+use plateau::Notation;
+
 use super::subject::Export;
+use crate::LengthUnit;
 
 /// What a file says of the unit of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +24,29 @@ pub enum Lengths {
     Named,
     /// They are metres, whatever they were before.
     Metres,
+}
+
+impl Lengths {
+    /// What a program that reads such a file takes its numbers for, where that is not left open; `unit` is what they were, if that is known.
+    #[must_use]
+    pub fn told(self, unit: Option<LengthUnit>) -> Option<String> {
+        match (self, unit) {
+            (Self::Named, Some(unit)) => Some(format!("its numbers are {}", unit.plural())),
+            (Self::Named, None) => {
+                Some("CAD programs take its numbers for millimetres, --unit says what they are".into())
+            }
+            (Self::Metres, Some(LengthUnit::Metre)) => Some("in metres, as glTF is".into()),
+            (Self::Metres, Some(unit)) => Some(format!(
+                "in metres, as glTF is: 1 {} became {}",
+                unit.name(),
+                Notation::Short(12).of(unit.metres())
+            )),
+            (Self::Metres, None) => {
+                Some("viewers take its numbers for metres, --unit says what they are".into())
+            }
+            (Self::Unsaid, _) => None,
+        }
+    }
 }
 
 /// What the files of a format hold.
