@@ -130,6 +130,7 @@ fn films(experiment: &FilmExperiment, mesh: usize, progress: &dyn Progress) -> V
         let fill = Fill::default()
             .with_energy(method.energy)
             .with_tolerance(method.tolerance)
+            .with_rim_tolerance(method.rim_tolerance)
             .with_layers(method.layers)
             .with_accuracy(method.accuracy)
             .with_bound(method.bound)

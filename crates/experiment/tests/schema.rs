@@ -308,7 +308,7 @@ fn the_bounds_are_those_of_the_parser() {
                 };
                 let faults = |value: &str| {
                     let table = match (name, key.as_str()) {
-                        ("method", "degree" | "layers" | "accuracy") => "method over loops",
+                        ("method", "degree" | "layers" | "accuracy" | "rim-tolerance") => "method over loops",
                         (name, _) => name,
                     };
                     let probe = probe(table, &format!("{key} = {value}"));

@@ -297,6 +297,25 @@ fn what_the_numbers_are_is_carried_to_what_is_written() {
 }
 
 #[test]
+fn a_circle_is_met_as_near_as_the_tolerance_asks() {
+    let folder = tempfile::tempdir().unwrap();
+    let circle =
+        "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nrim\n10\n0\n20\n0\n30\n0\n40\n1\n0\nENDSEC\n0\nEOF\n";
+    fs::write(folder.path().join("rim.dxf"), circle).unwrap();
+    let out = fill(folder.path(), &["rim.dxf", "--tolerance", "1e-11", "-o", "x.toml", "-o", "x.json"]);
+    assert!((area(&out) / std::f64::consts::PI - 1.0).abs() < 1e-11, "{}", text(&out.stdout));
+    let experiment = fs::read_to_string(folder.path().join("x.toml")).unwrap();
+    assert!(experiment.contains("rim-tolerance = 1e-11"), "{experiment}");
+    let result = fs::read_to_string(folder.path().join("x.json")).unwrap();
+    let result: serde_json::Value = serde_json::from_str(&result).unwrap();
+    assert!(result["methods"][0]["rim_deviation"].as_f64().unwrap() <= 1e-11);
+    // A wide one leaves circles as they are.
+    let out = fill(folder.path(), &["rim.dxf", "--tolerance", "0.1", "-o", "x.toml"]);
+    assert!((area(&out) / std::f64::consts::PI - 1.0).abs() < 1e-5, "{}", text(&out.stdout));
+    assert!(!fs::read_to_string(folder.path().join("x.toml")).unwrap().contains("rim-tolerance"));
+}
+
+#[test]
 fn results_in_one_folder_keep_their_exports_apart() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("hexagon.obj"), HEXAGON).unwrap();

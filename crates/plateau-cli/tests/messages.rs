@@ -66,7 +66,7 @@ error: [[method]] has no key `enrgy`
    | ^^^^^ unknown key
    |
    = help: did you mean `energy`?
-   = help: the keys of [[method]] are: name, patch, basis, shape, search, energy, raise, domain, metric-steps, mask, construction, search-energy, solver, tolerance, degree, layers, accuracy, bound, expect, published";
+   = help: the keys of [[method]] are: name, patch, basis, shape, search, energy, raise, domain, metric-steps, mask, construction, search-energy, solver, tolerance, degree, layers, rim-tolerance, accuracy, bound, expect, published";
     let refusal = Plan::parse("net.toml", file).unwrap_err();
     assert_eq!(refusal.to_string(), expected);
     assert!(refusal.render(true).contains("\u{1b}["));

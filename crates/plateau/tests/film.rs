@@ -378,3 +378,21 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_rim_of_circles_follows_the_accuracy_that_is_asked() {
+    let usual = Fill::default().loops(&[circle(2.0, 0.0)], &()).unwrap();
+    for accuracy in [1e-8, 1e-10] {
+        for loops in [&[circle(2.0, 0.0)][..], &[circle(1.0, 0.0), circle(1.0, 0.8)]] {
+            let film = Fill::default().with_accuracy(accuracy).loops(loops, &()).unwrap();
+            let area = film.figures.area.value;
+            assert!(film.rim.area <= accuracy * area, "{accuracy:e}: {:e}", film.rim.area);
+            assert!(film.rim.largest < 0.1 * usual.rim.largest);
+        }
+    }
+    // Parabolas would have to be very many: the rim stays in few, and says what it costs.
+    let few = Fill::default().with_degree(2).with_accuracy(1e-10).loops(&[circle(2.0, 0.0)], &()).unwrap();
+    assert!(few.rim.largest > 1e-9 && few.complex.faces().len() < 200, "{:?}", few.rim);
+    let asked = Fill::default().with_rim_tolerance(1e-11).loops(&[circle(2.0, 0.0)], &()).unwrap();
+    assert!(asked.rim.largest <= 1e-11 && asked.complex.faces().len() < 30);
+}

@@ -67,10 +67,17 @@ impl Filling {
     /// # Errors
     /// As [`Fill::loops`].
     pub fn span(&self, fill: &Fill, progress: &dyn Progress) -> Result<Film, MethodError> {
+        let fill = self.asked_of(fill);
         match &self.frame {
             Frame::Loops(loops) => fill.loops(loops, progress),
             Frame::Graph(graph) => fill.graph(graph, progress),
         }
+    }
+
+    /// A tolerance nearer than the usual one is asked of arcs and rational splines, too, not only of samples.
+    fn asked_of(&self, fill: &Fill) -> Fill {
+        let asked = self.options.tolerance.filter(|asked| *asked < Fill::RIM_TOLERANCE * self.assembly.size);
+        asked.map_or(*fill, |asked| fill.with_rim_tolerance(asked))
     }
 
     /// What the curves were before they are filled.
@@ -91,7 +98,7 @@ impl Filling {
     /// [`ImportError::Plan`].
     pub fn experiment(&self, title: &str, fill: &Fill) -> Result<String, ImportError> {
         let notes: Vec<String> = self.told.iter().chain(self.notes()).map(Sentence::to_string).collect();
-        let text = printed::assembly(title, &self.assembly, &self.options, fill, &notes);
+        let text = printed::assembly(title, &self.assembly, &self.options, &self.asked_of(fill), &notes);
         checked(text + &printed::output(self.unit))
     }
 }

@@ -49,7 +49,7 @@ impl Filling {
     fn cost(&self, side: &Side, degree: usize, tolerance: f64) -> Option<f64> {
         let assembly = self.assembly();
         let curve = side.curve(tolerance, assembly.corner_angle).ok()?;
-        let fit = curve.fit(degree, Fill::RIM_TOLERANCE * assembly.size).ok()?;
+        let fit = curve.fit(degree, tolerance.min(Fill::RIM_TOLERANCE * assembly.size)).ok()?;
         match &side.shape {
             Shape::Polyline(points) if points.len() > 2 && fit.pieces().len() + 1 >= points.len() => None,
             Shape::Polyline(_) | Shape::Spline(_) | Shape::Arc(_) => Some(fit.deviation().area),

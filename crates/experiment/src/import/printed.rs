@@ -68,6 +68,9 @@ fn method(fill: &Fill) -> String {
     if let Some(accuracy) = fill.accuracy() {
         let _ = writeln!(text, "accuracy = {accuracy:?}");
     }
+    if let Some(tolerance) = fill.rim_tolerance() {
+        let _ = writeln!(text, "rim-tolerance = {tolerance:?}");
+    }
     if fill.bound() {
         let _ = writeln!(text, "bound = true");
     }

@@ -1,8 +1,8 @@
 //! `[[method]]`.
 
 use plateau::{
-    DegreeLimit, Energy, Fill, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchEnergy, SearchMode,
-    ShapedFamily, SolverChoice, TOLERANCES, TriangleMask,
+    DegreeLimit, Energy, Fill, MAX_COORDINATE, MAX_DEGREE, MAX_METRIC_STEPS, ReferenceTriangle, SearchEnergy,
+    SearchMode, ShapedFamily, SolverChoice, TOLERANCES, TriangleMask,
 };
 use serde_json::{Map, Value as Json, json};
 
@@ -241,6 +241,13 @@ pub(crate) static LAYERS: Key<Whole<usize>> =
     Key::new("layers", Whole::between(0, 1), "for energy = \"area\": layers of smaller patches around corners where the surface is not smooth, all but those of 180°/k between straight sides; without the key `accuracy` sets one where raising the degree gains little")
         .or("0")
         .over(&[TENSOR, LOOPS]);
+pub(crate) static RIM_TOLERANCE: Key<Interval> = Key::new(
+    "rim-tolerance",
+    Interval::above(0.0, MAX_COORDINATE),
+    "how far the rim may pass from curves that patches cannot meet exactly (circles, rational splines), a length; left out, 1e-6 of the size; samples have a tolerance of their own",
+)
+.such_as("1e-9")
+.over(&[LOOPS]);
 pub(crate) static ACCURACY: Key<Interval> = Key::new(
     "accuracy",
     Interval::between(*Fill::ACCURACIES.start(), *Fill::ACCURACIES.end()),
@@ -278,6 +285,7 @@ pub(crate) static SECTION: Section = Section {
         &TOLERANCE,
         &DEGREE,
         &LAYERS,
+        &RIM_TOLERANCE,
         &ACCURACY,
         &BOUND,
         &EXPECT,

@@ -7,7 +7,7 @@ use plateau::{CurveGraph, Energy, FillEnergy, Loop};
 use super::Wanted;
 use super::expected::check::{Subject, wanted_of};
 use super::method::{Named, has_only_keys_over};
-use crate::keys::method::{ACCURACY, BOUND, DEGREE, ENERGY, LAYERS, LOOPS, TOLERANCE};
+use crate::keys::method::{ACCURACY, BOUND, DEGREE, ENERGY, LAYERS, LOOPS, RIM_TOLERANCE, TOLERANCE};
 use crate::text::{Given, Table};
 
 /// Surfaces over loops or faces: one row of the table per method.
@@ -41,6 +41,8 @@ pub struct FilmMethod {
     pub layers: usize,
     /// For [`FillEnergy::Area`]: the relative decrease of the area that counts as none, in [1e-12, 1e-2].
     pub tolerance: f64,
+    /// How far the rim may pass from curves that cannot be met exactly, a length, if the file says so.
+    pub rim_tolerance: Option<f64>,
     /// For [`FillEnergy::Area`]: the share of the least area that the area may lie above it, in [1e-12, 1e-2]; the degree rises for it.
     pub accuracy: Option<f64>,
     /// Whether a lower bound is to be proved; only for [`FillEnergy::Area`].
@@ -80,6 +82,7 @@ fn method(table: &Table<'_>, rim: Option<&Rim>, name: Option<String>) -> Option<
     let tolerance_given = table.take(&TOLERANCE);
     let energy = energy(table, &table.take(&ENERGY));
     let tolerance = table.or_default(&TOLERANCE, &tolerance_given);
+    let rim_tolerance = table.take(&RIM_TOLERANCE).known();
     let accuracy_given = table.take(&ACCURACY);
     let bound_given = table.take(&BOUND);
     let bound = table.or_default(&BOUND, &bound_given);
@@ -112,6 +115,7 @@ fn method(table: &Table<'_>, rim: Option<&Rim>, name: Option<String>) -> Option<
         degree: degree?.map(|degree| degree.into_inner()),
         layers: layers?,
         tolerance: tolerance?,
+        rim_tolerance: rim_tolerance?.map(|tolerance| tolerance.into_inner()),
         accuracy: accuracy_given.known()?.map(|accuracy| accuracy.into_inner()),
         bound: bound?,
     };

@@ -26,6 +26,14 @@ pub(super) fn usual<'a>(curves: impl Iterator<Item = &'a BoundaryCurve>) -> usiz
 /// Edges of the rim above which a higher degree is tried: it may need fewer pieces.
 const MANY_EDGES: usize = 12;
 
+/// Edges that belong to one face.
+pub(super) fn edges_of_rim(
+    cutting: &Cutting,
+    cut: impl Fn(&Cutting) -> Result<CutBoundary, CuttingError>,
+) -> Result<usize, CuttingError> {
+    Ok(cut(cutting)?.complex().edges().iter().filter(|edge| edge.uses().len() == 1).count())
+}
+
 /// The cutting with a degree raised by steps of 2, up to [`HIGHEST`], as long as the rim has many edges and that takes a
 /// quarter of them away.
 pub(super) fn raised(
@@ -33,9 +41,7 @@ pub(super) fn raised(
     cut: impl Fn(&Cutting) -> Result<CutBoundary, CuttingError>,
     usual: usize,
 ) -> Result<Cutting, CuttingError> {
-    let edges = |cutting: &Cutting| -> Result<usize, CuttingError> {
-        Ok(cut(cutting)?.complex().edges().iter().filter(|edge| edge.uses().len() == 1).count())
-    };
+    let edges = |cutting: &Cutting| edges_of_rim(cutting, &cut);
     let mut best = cutting(usual)?;
     let mut count = edges(&best)?;
     for degree in (usual + 2..=HIGHEST).step_by(2) {

@@ -14,6 +14,13 @@ use crate::{
     Surface, Warning, dirichlet_complex, least_area_complex, lower_bound,
 };
 
+/// Share of the accuracy that is asked for by which the rim may deviate, as a share of the size: where it runs around the surface, what
+/// lies between it and the curves is then less than that accuracy.
+const RIM_SHARE: f64 = 0.1;
+
+/// How many times as many edges a rim may have to be that near.
+const MORE_EDGES: usize = 2;
+
 impl Fill {
     /// The surface between loops: one is spanned by a disc, two by an annulus. As [`solve`](crate::solve) does, all is computed relative to
     /// a point of the boundary: how far from the origin it lies changes no figure.
@@ -99,18 +106,28 @@ impl Fill {
     ) -> Result<Cutting, CuttingError> {
         let points: Vec<_> =
             curves.clone().flat_map(|curve| (0..8).map(|k| curve.point(f64::from(k) / 8.0))).collect();
-        let tolerance = self.rim_tolerance.unwrap_or_else(|| {
-            // Points in one place have no size; whatever they are, they are met.
-            Some(Self::RIM_TOLERANCE * extent(&points)).filter(|t| *t > 0.0).unwrap_or(f64::MIN_POSITIVE)
-        });
-        let cutting = |degree: usize| {
-            let cutting = Cutting::new(degree, tolerance)?.with_corner_angle(self.corner_angle);
-            Ok(cutting.with_way(self.way))
+        // Points in one place have no size; whatever they are, they are met.
+        let of_size =
+            |share: f64| Some(share * extent(&points)).filter(|t| *t > 0.0).unwrap_or(f64::MIN_POSITIVE);
+        let tolerance = self.rim_tolerance.unwrap_or_else(|| of_size(Self::RIM_TOLERANCE));
+        let within = |tolerance: f64| {
+            let cutting = |degree: usize| {
+                let cutting = Cutting::new(degree, tolerance)?.with_corner_angle(self.corner_angle);
+                Ok(cutting.with_way(self.way))
+            };
+            match self.degree {
+                Some(degree) => cutting(degree),
+                None => degree::raised(cutting, &cut, degree::usual(curves.clone())),
+            }
         };
-        match self.degree {
-            Some(degree) => cutting(degree),
-            None => degree::raised(cutting, cut, degree::usual(curves)),
-        }
+        let usual = within(tolerance)?;
+        let nearer = self.accuracy.map(|accuracy| of_size(RIM_SHARE * accuracy));
+        let Some(nearer) = nearer.filter(|nearer| *nearer < tolerance) else { return Ok(usual) };
+        // A rim in many more pieces costs more than it is worth, and none may be as near: then it stays as it is, and what it costs is said.
+        let edges = |cutting: &Cutting| degree::edges_of_rim(cutting, &cut);
+        let most = MORE_EDGES * edges(&usual)?;
+        let found = within(nearer).ok().filter(|found| edges(found).is_ok_and(|edges| edges <= most));
+        Ok(found.unwrap_or(usual))
     }
 
     pub(super) fn solved(&self, cut: &CutBoundary, progress: &dyn Progress) -> Result<Solution, MethodError> {

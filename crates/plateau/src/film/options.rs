@@ -132,9 +132,15 @@ impl Fill {
 
     /// The rim may deviate by this length from curves that cannot be met exactly.
     #[must_use]
-    pub fn with_rim_tolerance(mut self, tolerance: f64) -> Self {
-        self.rim_tolerance = Some(tolerance);
+    pub fn with_rim_tolerance(mut self, tolerance: impl Into<Option<f64>>) -> Self {
+        self.rim_tolerance = tolerance.into();
         self
+    }
+
+    /// See [`with_rim_tolerance`](Self::with_rim_tolerance).
+    #[must_use]
+    pub fn rim_tolerance(&self) -> Option<f64> {
+        self.rim_tolerance
     }
 
     /// The turn of direction in radians above which curves meet in a corner; samples have their own.
@@ -160,7 +166,8 @@ impl Fill {
     }
 
     /// Raises the degree until the area is estimated to lie less than this share above the least, up to degree 14; where that gains little
-    /// because of odd corners, they get a layer of smaller patches. The rim stays as it was met at first.
+    /// because of odd corners, they get a layer of smaller patches. Curves that cannot be met exactly are met within a tenth of this share of the size, if
+    /// twice as many edges are enough for it; samples keep the tolerance of theirs.
     #[must_use]
     pub fn with_accuracy(mut self, accuracy: impl Into<Option<f64>>) -> Self {
         self.accuracy = accuracy.into();
