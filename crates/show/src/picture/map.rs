@@ -7,7 +7,7 @@ use surfaces::Domain;
 
 use super::axis::{Axis, frame};
 use super::panels::arrange;
-use super::svg::{INK, Length, Svg, path};
+use super::svg::{Anchor, Font, INK, Length, Svg, path};
 use super::{Picture, colour_bar};
 use crate::colour;
 use crate::scene::{Chart, Field, Scene, Shown, spread};
@@ -46,34 +46,63 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let (width, height) = (CELL[0] * columns as f64 + BAR, CELL[1] * rows as f64);
     let mut svg = Svg::new(width, height, "Mean curvature H over the parameters u and v");
     let least = (LEFT[0] * full).max(LEFT[1] / scene.radius);
+    // Of rounding, or of what the degree leaves of a minimal surface, a map would only show the noise.
+    let is_told = |shown: &Shown<'_>| {
+        let values = shown.sample.values(Field::Mean).iter().flatten().copied();
+        let own = colour::full_scale(values, ROUNDING * full);
+        own.is_some_and(|own| !shown.is_least() || own > least)
+    };
     let pixels = PIXELS[usize::from(chosen.len() > 4)];
     for (k, &index) in chosen.iter().enumerate() {
         let shown = flat[index];
-        let image = raster(shown, full, pixels);
+        let image = is_told(shown.0).then(|| raster(shown, full, pixels));
         map(
             &mut svg,
             shown,
-            (full, least),
-            &image,
+            full,
+            image.as_deref(),
             [CELL[0] * (k % columns) as f64, CELL[1] * (k / columns) as f64],
             k,
         );
     }
-    let bar = [CELL[0] * columns as f64 + 12.0, 46.0, SIDE];
-    colour_bar::draw(&mut svg, bar, Field::Mean, full, largest);
+    let told = chosen.iter().filter(|&&index| is_told(flat[index].0)).count();
+    let bar = [CELL[0] * columns as f64 + 12.0, 46.0];
+    if told > 0 {
+        colour_bar::draw(&mut svg, [bar[0], bar[1], SIDE], Field::Mean, full, largest);
+    } else {
+        let bound = format!("max |H| {}", Notation::Digits(2).of(largest));
+        for (k, line) in
+            [bound.as_str(), "1/length:", "zero to what", "the degrees leave"].into_iter().enumerate()
+        {
+            svg.text([bar[0], bar[1] + 12.0 + 16.0 * k as f64], Anchor::Start, Font::SMALL, line);
+        }
+    }
     let clipped = colour_bar::clipped(Field::Mean, full, largest);
-    let caption = format!(
-        "Mean curvature H over the parameters, all methods on one scale{clipped}. Thin lines are level curves at \
-         quarters of the scale, the thick line is H = 0."
-    );
+    let plain = if told < chosen.len() {
+        " Plain ones are of least area: their H is 0 to what the degree leaves."
+    } else {
+        ""
+    };
+    let caption = if told > 0 {
+        format!(
+            "Mean curvature H over the parameters, all methods on one scale{clipped}. Thin lines are level curves at \
+             quarters of the scale, the thick line is H = 0.{plain}"
+        )
+    } else {
+        format!(
+            "Mean curvature H over the parameters: the largest |H| is {} 1/length, zero to what the degrees leave of it in surfaces of least \
+             area, and there is nothing to colour.",
+            Notation::Digits(2).of(largest)
+        )
+    };
     Some(Picture { name: "mean-curvature", caption, svg: svg.finish() })
 }
 
 fn map(
     svg: &mut Svg,
     (shown, chart): (&Shown<'_>, &Chart),
-    (full, least): (f64, f64),
-    image: &str,
+    full: f64,
+    image: Option<&str>,
     [x, y]: [f64; 2],
     panel: usize,
 ) {
@@ -101,13 +130,12 @@ fn map(
     };
     svg.raw(&format!("<clipPath id=\"{clip}\"><path d=\"{outline}\"/></clipPath>\n"));
     let [left_px, top_px, side] = [left, top, SIDE].map(Length);
-    svg.element(format_args!(
-        r#"image x="{left_px}" y="{top_px}" width="{side}" height="{side}" preserveAspectRatio="none" clip-path="url(#{clip})" xlink:href="data:image/png;base64,{image}""#
-    ));
-    // Level curves of rounding, or of what the degree leaves of a minimal surface, would only show its noise.
-    let own = colour::full_scale(values.iter().flatten().copied(), ROUNDING * full);
-    let is_told = own.is_some_and(|own| !shown.is_least() || own > least);
-    let levels = if is_told { LEVELS.as_slice() } else { &[] };
+    if let Some(image) = image {
+        svg.element(format_args!(
+            r#"image x="{left_px}" y="{top_px}" width="{side}" height="{side}" preserveAspectRatio="none" clip-path="url(#{clip})" xlink:href="data:image/png;base64,{image}""#
+        ));
+    }
+    let levels = if image.is_some() { LEVELS.as_slice() } else { &[] };
     for &level in levels {
         let (level, width) = (level * full, if level == 0.0 { 1.4 } else { 0.5 });
         let d = level_curve(chart, values, level, [left, bottom]);

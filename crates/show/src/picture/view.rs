@@ -145,34 +145,64 @@ pub(super) fn surface(
         .collect();
     let size = size / faces.len().max(1) as f64;
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // Lines stay sharp, and faces hide what lies behind them.
+    let cover = Cover::new(scene, sample, camera, stride);
+    let rims: Vec<Vec<Point>> = rims(scene, sample).collect();
+    rims.iter().for_each(|rim| rim_line(svg, rim, camera, at));
     svg.open_smooth(SMOOTHING * size);
     faces.iter().for_each(|(_, face)| svg.raw(face));
     svg.close();
-    // Borders stay sharp, and those that faces hide are left out.
-    borders(scene, sample, camera, at, stride).iter().for_each(|border| svg.raw(border));
-    rims(svg, scene, shown, camera, at);
+    borders(scene, sample, (camera, &cover), at, stride).iter().for_each(|border| svg.raw(border));
+    rims.iter().flat_map(|rim| seen(rim, &cover)).for_each(|part| rim_line(svg, part, camera, at));
 }
 
-/// The rims of a surface.
-fn rims(svg: &mut Svg, scene: &Scene<'_>, shown: &Shown<'_>, camera: &Camera, at: [f64; 2]) {
-    let sample = &shown.sample;
-    for line in sample.lines.iter().filter(|line| line.kind == LineKind::Rim) {
-        let is_closed = line.points.first() == line.points.last();
-        let places = line.points[usize::from(is_closed)..].iter();
-        let rim = path(places.map(|&k| camera.project(scene.local(sample.points[k]), at)), is_closed);
-        svg.element(format_args!(
-            r#"path d="{rim}" fill="none" stroke="{INK}" stroke-width="0.9" stroke-linejoin="round" stroke-opacity="0.75""#
-        ));
+/// The rims of a surface; closed ones end where they begin.
+fn rims(scene: &Scene<'_>, sample: &Sample) -> impl Iterator<Item = Vec<Point>> {
+    let rims = sample.lines.iter().filter(|line| line.kind == LineKind::Rim);
+    rims.map(|line| line.points.iter().map(|&k| scene.local(sample.points[k])).collect())
+}
+
+fn rim_line(svg: &mut Svg, points: &[Point], camera: &Camera, at: [f64; 2]) {
+    let is_closed = points.first() == points.last();
+    let places = points[usize::from(is_closed)..].iter();
+    let line = path(places.map(|&p| camera.project(p, at)), is_closed);
+    svg.element(format_args!(
+        r#"path d="{line}" fill="none" stroke="{INK}" stroke-width="0.9" stroke-linejoin="round" stroke-opacity="0.75""#
+    ));
+}
+
+/// The parts of a rim that no face hides. What is hidden for the length of one piece only is at the edge of what is seen.
+fn seen<'p>(rim: &'p [Point], cover: &Cover<'_>) -> Vec<&'p [Point]> {
+    let hidden: Vec<bool> = rim.windows(2).map(|ends| cover.hides((ends[0] + ends[1]) * 0.5)).collect();
+    let is_hidden = |k: usize| {
+        let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
+        hidden[k] && beside.filter_map(|k| hidden.get(k)).any(|hidden| *hidden)
+    };
+    let mut parts = Vec::new();
+    let mut from = 0;
+    for k in 0..=hidden.len() {
+        if k == hidden.len() || is_hidden(k) {
+            if k > from {
+                parts.push(&rim[from..=k]);
+            }
+            from = k + 1;
+        }
     }
+    parts
 }
 
 /// The borders of patches in pieces as long as faces, without those that lie behind a face.
-fn borders(scene: &Scene<'_>, sample: &Sample, camera: &Camera, at: [f64; 2], stride: usize) -> Vec<String> {
+fn borders(
+    scene: &Scene<'_>,
+    sample: &Sample,
+    (camera, cover): (&Camera, &Cover<'_>),
+    at: [f64; 2],
+    stride: usize,
+) -> Vec<String> {
     let mut pieces = Vec::new();
     if sample.chart().is_some() {
         return pieces;
     }
-    let cover = Cover::new(scene, sample, camera, stride);
     for line in &sample.lines {
         let style = match line.kind {
             LineKind::Rim => continue,
