@@ -195,7 +195,7 @@ fn entities_of_drawings() {
             && file.curves[0].shape.sampled()[16].distance(Point::new(0.0, 2.0, 0.0)) < 1e-12
     );
     for (text, word) in [
-        (dxf("0 INSERT 2 block 10 0 20 0"), "explode"),
+        (dxf("0 INSERT 2 block 10 0 20 0"), "block that is not in the file"),
         (dxf("0 LINE 10 0 20 0"), "no value of code 11"),
         (dxf("0 LINE 10 a 20 0 11 1 21 1"), "\"a\" is not a number"),
         (dxf("0 CIRCLE 10 0 20 0 40 -1"), "radius"),
@@ -235,5 +235,90 @@ proptest! {
                 let _ = exchange::Assembly::new(&file, &exchange::AssemblyOptions::default());
             }
         }
+    }
+}
+
+/// A drawing with blocks.
+fn with_blocks(blocks: &str, entities: &str) -> String {
+    let section = format!("0 SECTION 2 BLOCKS {blocks} 0 ENDSEC 0 SECTION 2 ENTITIES");
+    let pairs: Vec<&str> = section.split_whitespace().collect();
+    dxf(entities).replacen("0\nSECTION\n2\nENTITIES", &pairs.join("\n"), 1)
+}
+
+#[test]
+fn blocks_are_set_where_they_are_inserted() {
+    let arm = "0 BLOCK 2 arm 10 1 20 0 0 LINE 8 0 10 1 20 0 11 3 21 0 0 ENDBLK";
+    for (insert, right) in [
+        ("10 5 20 0 30 2", [[5., 0., 2.], [7., 0., 2.]]),
+        ("10 0 20 0 41 0.5", [[0., 0., 0.], [1., 0., 0.]]),
+        ("10 0 20 0 41 2 50 90", [[0., 0., 0.], [0., 4., 0.]]),
+        ("10 1 20 1 41 -1 50 30", [[1., 1., 0.], [1. - 3f64.sqrt(), 0., 0.]]),
+        // Seen from below: x runs the other way.
+        ("10 1 20 0 210 0 220 0 230 -1", [[-1., 0., 0.], [-3., 0., 0.]]),
+    ] {
+        let file = read("d.dxf", &with_blocks(arm, &format!("0 INSERT 8 rim 2 ARM {insert}")));
+        let right = right.map(|p: [f64; 3]| p.map(|x| (x * 1e9).round() / 1e9));
+        // What lies on layer 0 of a block is on the layer of the INSERT.
+        assert_eq!((ends(&file), file.curves[0].name.as_str()), (vec![right], "rim"), "{insert}");
+        assert!(
+            file.notes.iter().any(|note| note.to_string() == "curves of blocks (INSERT) that are set: 1"),
+            "{:?}",
+            file.notes
+        );
+    }
+    // Two by three copies, turned; and a block in a block.
+    let file = read("d.dxf", &with_blocks(arm, "0 INSERT 2 arm 10 0 20 0 50 90 70 2 71 3 44 10 45 1"));
+    let starts: Vec<[f64; 3]> = ends(&file).iter().map(|ends| ends[0]).collect();
+    let expected =
+        [[0., 0., 0.], [0., 10., 0.], [-1., 0., 0.], [-1., 10., 0.], [-2., 0., 0.], [-2., 10., 0.]];
+    assert_eq!(starts, expected);
+    let nested = format!(
+        "{arm} 0 BLOCK 2 cross 10 0 20 0 0 INSERT 2 arm 10 1 20 0 0 INSERT 2 arm 10 0 20 1 50 90 0 ENDBLK"
+    );
+    let file = read("d.dxf", &with_blocks(&nested, "0 INSERT 2 cross 10 0 20 0 30 1 41 2 42 3"));
+    assert_eq!(ends(&file), [[[2., 0., 1.], [6., 0., 1.]], [[0., 3., 1.], [0., 9., 1.]]]);
+}
+
+#[test]
+fn circles_of_a_block_that_is_scaled_unevenly_are_ellipses() {
+    let blocks = "0 BLOCK 2 a 10 0 20 0 0 CIRCLE 10 1 20 0 40 1 0 ARC 10 0 20 0 40 1 50 0 51 90 0 ENDBLK \
+                  0 BLOCK 2 b 10 0 20 0 0 INSERT 2 a 10 0 20 0 50 30 0 ENDBLK";
+    // Turned, then scaled: the half axes are none of those of the circle.
+    let file = read("d.dxf", &with_blocks(blocks, "0 INSERT 2 b 10 0 20 0 41 3 42 1"));
+    let (s, c) = (0.5, 0.75f64.sqrt());
+    for (curve, centre) in file.curves.iter().zip([[c, s], [0.0, 0.0]]) {
+        for p in curve.shape.sampled() {
+            let off = libm::hypot(p.x / 3.0 - centre[0], p.y - centre[1]) - 1.0;
+            assert!(off.abs() < 1e-14, "{p:?}");
+        }
+    }
+    let [start, end] = file.curves[1].shape.ends();
+    assert!(start.distance(Point::new(3.0 * c, s, 0.0)) < 1e-14, "{start:?}");
+    assert!(end.distance(Point::new(-3.0 * s, c, 0.0)) < 1e-14, "{end:?}");
+}
+
+#[test]
+fn blocks_without_end_are_refused() {
+    let itself = "0 BLOCK 2 a 10 0 20 0 0 INSERT 2 a 10 1 20 0 0 ENDBLK";
+    let mut many = String::from("0 BLOCK 2 b0 10 0 20 0 0 LINE 10 0 20 0 11 1 21 0 0 ENDBLK");
+    for k in 1..12 {
+        let inner = format!(" 0 INSERT 2 b{} 10 1 20 0", k - 1).repeat(10);
+        many += &format!(" 0 BLOCK 2 b{k} 10 0 20 0{inner} 0 ENDBLK");
+    }
+    let far = "0 BLOCK 2 a 10 0 20 0 0 LINE 10 1e50 20 0 11 1 21 0 0 ENDBLK";
+    for (blocks, entities, word) in [
+        (itself, "0 INSERT 2 a 10 0 20 0", "in themselves"),
+        (&many, "0 INSERT 2 b11 10 0 20 0", "the most that are read"),
+        (itself, "0 INSERT 2 a 10 0 20 0 70 1000 71 1000", "more than 10000"),
+        (itself, "0 INSERT 2 a 10 0 20 0 70 1e9", "rows or columns"),
+        (far, "0 INSERT 2 a 10 0 20 0 41 1e20", "coordinates"),
+        (
+            "0 BLOCK 2 a 10 0 20 0 0 CIRCLE 10 1 20 0 40 1 0 ENDBLK",
+            "0 INSERT 2 a 10 0 20 0 42 0",
+            "leaves no plane",
+        ),
+    ] {
+        let message = read_curves(with_blocks(blocks, entities).as_bytes(), "b.dxf").unwrap_err().to_string();
+        assert!(message.contains(word), "{message}");
     }
 }

@@ -25,20 +25,41 @@ pub(super) struct Plane {
 /// What `$INSUNITS` says: a unit, or the number of one that is not known.
 type StatedUnit<'a> = Option<Result<LengthUnit, &'a str>>;
 
-/// The entities of the section ENTITIES, and the unit of the drawing.
-pub(super) fn entities(text: &str) -> Result<(Vec<Entity<'_>>, StatedUnit<'_>), CurveFileError> {
-    let mut entities: Vec<Entity<'_>> = Vec::new();
-    let (mut section, mut variable, mut unit) = ("", "", None);
+/// What a drawing holds.
+#[derive(Default)]
+pub(super) struct Drawing<'a> {
+    /// The entities of the section ENTITIES.
+    pub(super) entities: Vec<Entity<'a>>,
+    /// Those of the section BLOCKS.
+    pub(super) blocks: Vec<Entity<'a>>,
+    pub(super) unit: StatedUnit<'a>,
+}
+
+impl<'a> Drawing<'a> {
+    /// The list of the entities of a section, if it has such.
+    fn section(&mut self, name: &str) -> Option<&mut Vec<Entity<'a>>> {
+        match name {
+            "ENTITIES" => Some(&mut self.entities),
+            "BLOCKS" => Some(&mut self.blocks),
+            _other => None,
+        }
+    }
+}
+
+/// The entities of a drawing, and its unit.
+pub(super) fn drawing(text: &str) -> Result<Drawing<'_>, CurveFileError> {
+    let mut drawing = Drawing::default();
+    let (mut section, mut variable) = ("", "");
     let (mut count, mut last_kind) = (0, "");
     for pair in pairs(text) {
         let (code, value, line) = pair?;
         match code {
-            0 if value == "EOF" => return Ok((entities, unit)),
+            0 if value == "EOF" => return Ok(drawing),
             0 => {
                 last_kind = value;
                 if value == "ENDSEC" {
                     section = "";
-                } else if section == "ENTITIES" {
+                } else if let Some(entities) = drawing.section(section) {
                     limits::count(&mut count, 1, MOST_RECORDS, "properties of entities", line)?;
                     entities.push(Entity {
                         kind: limits::name(value).to_uppercase(),
@@ -49,9 +70,9 @@ pub(super) fn entities(text: &str) -> Result<(Vec<Entity<'_>>, StatedUnit<'_>), 
             }
             2 if last_kind == "SECTION" && section.is_empty() => section = value,
             9 => variable = value,
-            70 if variable == "$INSUNITS" && section == "HEADER" => unit = unit_of(value),
+            70 if variable == "$INSUNITS" && section == "HEADER" => drawing.unit = unit_of(value),
             _other => {
-                if let ("ENTITIES", Some(entity)) = (section, entities.last_mut()) {
+                if let Some(entity) = drawing.section(section).and_then(|entities| entities.last_mut()) {
                     limits::count(&mut count, 1, 4 * MOST_RECORDS, "properties of entities", line)?;
                     entity.pairs.push((code, value, line));
                 }
