@@ -46,52 +46,43 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
     let (width, height) = (CELL[0] * columns as f64 + BAR, CELL[1] * rows as f64);
     let mut svg = Svg::new(width, height, "Mean curvature H over the parameters u and v");
     let least = (LEFT[0] * full).max(LEFT[1] / scene.radius);
-    // Of rounding, or of what the degree leaves of a minimal surface, a map would only show the noise.
+    // Level curves of rounding, or of what the degree leaves of a minimal surface, would only show its noise; so would colours where nothing
+    // else is to be seen.
     let is_told = |shown: &Shown<'_>| {
         let values = shown.sample.values(Field::Mean).iter().flatten().copied();
         let own = colour::full_scale(values, ROUNDING * full);
         own.is_some_and(|own| !shown.is_least() || own > least)
     };
+    let any_told = chosen.iter().any(|&index| is_told(flat[index].0));
     let pixels = PIXELS[usize::from(chosen.len() > 4)];
     for (k, &index) in chosen.iter().enumerate() {
         let shown = flat[index];
-        let image = is_told(shown.0).then(|| raster(shown, full, pixels));
+        let image = any_told.then(|| raster(shown, full, pixels));
         map(
             &mut svg,
             shown,
-            full,
+            (full, is_told(shown.0)),
             image.as_deref(),
             [CELL[0] * (k % columns) as f64, CELL[1] * (k / columns) as f64],
             k,
         );
     }
-    let told = chosen.iter().filter(|&&index| is_told(flat[index].0)).count();
-    let bar = [CELL[0] * columns as f64 + 12.0, 46.0];
-    if told > 0 {
-        colour_bar::draw(&mut svg, [bar[0], bar[1], SIDE], Field::Mean, full, largest);
-    } else {
-        let bound = format!("max |H| {}", Notation::Digits(2).of(largest));
-        for (k, line) in
-            [bound.as_str(), "1/length:", "zero to what", "the degrees leave"].into_iter().enumerate()
-        {
-            svg.text([bar[0], bar[1] + 12.0 + 16.0 * k as f64], Anchor::Start, Font::SMALL, line);
-        }
-    }
-    let clipped = colour_bar::clipped(Field::Mean, full, largest);
-    let plain = if told < chosen.len() {
-        " Plain ones are of least area: their H is 0 to what the degree leaves."
-    } else {
-        ""
-    };
-    let caption = if told > 0 {
+    let bar = [CELL[0] * columns as f64 + 12.0, 46.0, SIDE];
+    let caption = if any_told {
+        colour_bar::draw(&mut svg, bar, Field::Mean, full, largest);
+        let clipped = colour_bar::clipped(Field::Mean, full, largest);
         format!(
             "Mean curvature H over the parameters, all methods on one scale{clipped}. Thin lines are level curves at \
-             quarters of the scale, the thick line is H = 0.{plain}"
+             quarters of the scale, the thick line is H = 0."
         )
     } else {
+        for (k, line) in ["H is 0 to what", "the degree", "leaves of it"].into_iter().enumerate() {
+            let at = [bar[0], bar[1] + 12.0 + 16.0 * k as f64];
+            svg.text(at, Anchor::Start, Font::SMALL, line);
+        }
         format!(
-            "Mean curvature H over the parameters: the largest |H| is {} 1/length, zero to what the degrees leave of it in surfaces of least \
-             area, and there is nothing to colour.",
+            "Mean curvature H over the parameters of surfaces of least area: the largest |H| is {} 1/length, zero to what the degree leaves \
+             of it, and there is nothing to colour.",
             Notation::Digits(2).of(largest)
         )
     };
@@ -101,7 +92,7 @@ pub(super) fn picture(scene: &Scene<'_>) -> Option<Picture> {
 fn map(
     svg: &mut Svg,
     (shown, chart): (&Shown<'_>, &Chart),
-    full: f64,
+    (full, is_told): (f64, bool),
     image: Option<&str>,
     [x, y]: [f64; 2],
     panel: usize,
@@ -134,8 +125,11 @@ fn map(
         svg.element(format_args!(
             r#"image x="{left_px}" y="{top_px}" width="{side}" height="{side}" preserveAspectRatio="none" clip-path="url(#{clip})" xlink:href="data:image/png;base64,{image}""#
         ));
+    } else {
+        let zero = colour::hex(colour::diverging(0.0));
+        svg.element(format_args!(r#"path d="{outline}" fill="{zero}""#));
     }
-    let levels = if image.is_some() { LEVELS.as_slice() } else { &[] };
+    let levels = if is_told { LEVELS.as_slice() } else { &[] };
     for &level in levels {
         let (level, width) = (level * full, if level == 0.0 { 1.4 } else { 0.5 });
         let d = level_curve(chart, values, level, [left, bottom]);
