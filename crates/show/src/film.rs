@@ -38,7 +38,7 @@ pub fn film_figures(film: &Film, rim: RimSource, estimate: &str) -> Vec<(&'stati
     rows.push(("Jacobian ratio", format!("{:.2}", film.seams.jacobian_ratio)));
     rows.push(("rim", met(film, rim)));
     if rim.welded > 0 {
-        let moved = Notation::Order.of(rim.moved);
+        let moved = Notation::Short(2).of(rim.moved);
         rows.push(("welded", format!("{}, moved by at most {moved}", counted(rim.welded, "end"))));
     }
     if let Some(found) = film.extremal.as_ref().filter(|found| found.end != AreaEnd::Stationary) {
@@ -54,7 +54,7 @@ pub fn film_figures(film: &Film, rim: RimSource, estimate: &str) -> Vec<(&'stati
 /// The area with all of its error: that of the integral, and what it can cost that the rim is not quite the curves.
 fn area(film: &Film) -> String {
     let area = film.figures.area;
-    let order = |x| Notation::Order.of(x);
+    let order = |x| Notation::Short(2).of(x);
     let total = format!("{} ± {}", figure(area.value), order(area.error + film.rim.area));
     if film.rim.area == 0.0 {
         return total;
@@ -91,7 +91,7 @@ fn faces(film: &Film) -> String {
 /// How the rim meets the curves.
 fn met(film: &Film, rim: RimSource) -> String {
     match film.rim.largest {
-        largest if largest > 0.0 => format!("within {} of the curves", Notation::Order.of(largest)),
+        largest if largest > 0.0 => format!("within {} of the curves", Notation::Short(2).of(largest)),
         _ if rim.sampled => "exact in the points given, a smooth curve between them".into(),
         _ => "exact".into(),
     }
