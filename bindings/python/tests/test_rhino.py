@@ -100,6 +100,10 @@ def test_surfaces_alone_are_filled_in_their_free_edges(wave: np.ndarray, tmp_pat
     again = pp.from_file(tmp_path / "film.3dm")
     assert len(again) == 4 and "free edges" in again.notes[0]
     assert pp.fill(again, degree=5).area == pytest.approx(film.area, rel=1e-12)
+    assert again.unit == "mm" and film.save(tmp_path / "film.3dm", unit="m").endswith("; in metres")
+    assert pp.from_file(tmp_path / "film.3dm").unit == "m"
+    with pytest.raises(pp.FormatError, match="'us-ft' is no unit of 3DM"):
+        film.save(tmp_path / "film.3dm", unit="us-ft")
     cylinder = rhino3dm.Cylinder(rhino3dm.Circle(at(0, 0, 0), 1.0), 0.5)
     path = written(tmp_path / "cylinder.3dm", rhino3dm.Brep.CreateFromCylinder(cylinder, False, False))
     # Seams are no edges.

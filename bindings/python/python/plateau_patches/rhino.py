@@ -13,13 +13,26 @@ import numpy as np
 
 from .arrays import Floats
 from .curves import Curve, Curves
-from .errors import BoundaryError
+from .errors import BoundaryError, FormatError
 
 if TYPE_CHECKING:
     from .surface import Surface
 
 # Share of their size within which edges of surfaces are the same.
 _SAME = 1e-6
+
+# Units by name, and what Rhino calls them; it has no feet of surveys.
+_UNITS = {
+    "mm": "Millimeters",
+    "cm": "Centimeters",
+    "m": "Meters",
+    "inch": "Inches",
+    "ft": "Feet",
+    "um": "Microns",
+    "dm": "Decimeters",
+    "km": "Kilometers",
+    "yd": "Yards",
+}
 
 # Blocks in blocks that are looked into.
 _DEPTH = 32
@@ -55,7 +68,8 @@ def load(path: Path) -> Curves:
         raise BoundaryError(
             f"{path.name}: it holds no curves and no surfaces with free edges: {other} other objects, and {hidden} that are hidden"
         )
-    return Curves(curves, notes)
+    stated = model.Settings.ModelUnitSystem
+    return Curves(curves, notes, next((unit for unit, name in _UNITS.items() if getattr(rhino.UnitSystem, name) == stated), None))
 
 
 def _placed(rhino: Any, model: Any, items: list[Any]) -> Iterator[tuple[Any, str]]:
@@ -140,12 +154,16 @@ def _free_edges(rhino: Any, found: list[tuple[Any, str]]) -> list[Curve]:
     ]
 
 
-def save(surface: Surface, path: Path, tolerance: float) -> str:
+def save(surface: Surface, path: Path, tolerance: float, unit: str | None = None) -> str:
     """Writes the patches of a surface as NURBS surfaces, in a group where they are several: edges they share have the same control
     points, so that Rhino's ``Join`` makes one polysurface of them."""
     rhino = _rhino()
+    unit = unit or "mm"
+    if unit not in _UNITS:
+        raise FormatError(f"{unit!r} is no unit of 3DM files; give one of {', '.join(_UNITS)}")
     splines, deviation = surface._handle.splines(tolerance)
     model = rhino.File3dm()
+    model.Settings.ModelUnitSystem = getattr(rhino.UnitSystem, _UNITS[unit])
     group = None
     if len(splines) > 1:
         group = rhino.Group()
@@ -170,7 +188,7 @@ def save(surface: Surface, path: Path, tolerance: float) -> str:
         part.unlink(missing_ok=True)
     count = "one NURBS surface" if len(splines) == 1 else f"a group of {len(splines)} NURBS surfaces"
     how = "the patch itself" if len(splines) == 1 else "the patches themselves"
-    return f"{count}, {how if deviation is None else f'no point farther than {deviation:.2e} from the patch'}; in millimetres"
+    return f"{count}, {how if deviation is None else f'no point farther than {deviation:.2e} from the patch'}; in {_UNITS[unit].lower().replace('meters', 'metres')}"
 
 
 def _nurbs(rhino: Any, degrees: tuple[int, int], knots: tuple[list[float], list[float]], net: Floats) -> Any:

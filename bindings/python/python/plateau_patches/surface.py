@@ -308,7 +308,7 @@ class Surface:
         that are not there are made.
 
         ``unit`` says what the numbers are (``mm``, ``cm``, ``m``, ``inch``, ``ft``, ``um``, ``dm``, ``km``, ``yd``, ``us-ft``; by default
-        :attr:`unit`): STEP files say so, GLB is scaled to its metres.
+        :attr:`unit`): STEP and 3DM files say so, GLB is scaled to its metres.
 
         Returns:
             How the file holds the surface, where that takes saying: by a formula, or with less than all digits.
@@ -327,7 +327,7 @@ class Surface:
         if wanted == "3dm":
             from .rhino import save
 
-            return save(self, path, tolerance)
+            return save(self, path, tolerance, unit or self.unit)
         known = [*_engine.formats(), "stp", "3dm"]
         if wanted not in known:
             found = f"{wanted!r} is no format of surfaces" if wanted else f"{path} has no extension to tell the format by"
