@@ -97,6 +97,13 @@ impl Merged {
         Quantity::ALL.iter().find(meant).map_or("area", |quantity| quantity.key())
     }
 
+    /// What the searches of all cells minimise scales as this power of a length; none if they differ.
+    pub(crate) fn searched_power(&self) -> Option<i32> {
+        let mut powers = self.kept.iter().filter_map(|kept| kept.stored.searched);
+        let first = powers.next()?;
+        powers.all(|power| power == first).then_some(first)
+    }
+
     /// Every method of every cell that is there, in the order of the cells.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&Kept, &Map<String, Value>)> + Clone {
         self.kept.iter().flat_map(|kept| kept.stored.methods.iter().map(move |method| (kept, method)))

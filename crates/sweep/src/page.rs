@@ -96,7 +96,7 @@ pub(crate) fn plots(merged: &Merged) -> Multiples {
     Multiples {
         title: outline.title.clone(),
         x_label: outline.axes[last].name.clone(),
-        y_label: format!("{}{above}{}", outline.figure, unit(key)),
+        y_label: format!("{}{above}{}", outline.figure, unit(merged)),
         words: (!is_of_numbers).then(words),
         gap: outline.gap,
         by_place: outline.is_of_boundaries(),
@@ -105,10 +105,10 @@ pub(crate) fn plots(merged: &Merged) -> Multiples {
     }
 }
 
-fn unit(key: &str) -> String {
-    let found = Quantity::ALL.iter().find(|quantity| quantity.key() == key);
+fn unit(merged: &Merged) -> String {
+    let found = Quantity::ALL.iter().find(|quantity| quantity.key() == merged.key());
     // What a search minimises may have a unit or none: its energy says which.
-    match found.and_then(|quantity| quantity.power()).unwrap_or(0) {
+    match found.and_then(|quantity| quantity.power()).or_else(|| merged.searched_power()).unwrap_or(0) {
         0 => String::new(),
         1 => " (length)".to_owned(),
         2 => " (length²)".to_owned(),

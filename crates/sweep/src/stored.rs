@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use experiment::{Experiment, Plan};
+use plateau::{Filling, Quantity};
 use record::{Manifest, RESULT_FILE, ReadError, SCHEMA, folder_of, own_contents};
 use serde::Deserialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::outline::CellEntry;
 
@@ -15,7 +17,7 @@ const LARGE: [&str; 8] =
 /// A cell that is whole.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stored {
-    /// What `result.json` says of each method, but for its surface and the course of its search.
+    /// What `result.json` says of each method, but for its surface; of its search the minimum alone.
     pub(crate) methods: Vec<Map<String, Value>>,
     /// The numbers of the file that were not met.
     pub(crate) missed: Vec<Value>,
@@ -23,6 +25,8 @@ pub(crate) struct Stored {
     pub(crate) unwritten: Vec<String>,
     /// The program and the processor.
     pub(crate) origin: record::Origin,
+    /// What its searches minimise scales as this power of a length, if there are any and they agree.
+    pub(crate) searched: Option<i32>,
 }
 
 #[derive(Deserialize)]
@@ -68,10 +72,29 @@ pub(crate) fn found(cell: &CellEntry, folder: &Path) -> Found {
     }
     let mut methods = record.methods;
     for method in &mut methods {
+        let minimum = method.get("search").and_then(|search| search.get("minimum")).cloned();
         method.retain(|key, _| !LARGE.contains(&key.as_str()));
+        if let Some(minimum) = minimum {
+            method.insert("search".into(), json!({ "minimum": minimum }));
+        }
     }
+    let searched = methods.iter().any(|method| method.contains_key("search"));
+    let searched = searched.then(|| searched_power(&record.manifest)).flatten();
     let (missed, unwritten, origin) = (record.missed, record.unwritten, record.manifest.origin);
-    Found::Whole(Box::new(Stored { methods, missed, unwritten, origin }))
+    Found::Whole(Box::new(Stored { methods, missed, unwritten, origin, searched }))
+}
+
+/// What the searches of an experiment minimise scales as this power of a length; none if they differ.
+fn searched_power(manifest: &Manifest) -> Option<i32> {
+    let plan = Plan::parse(&manifest.file, &manifest.experiment).ok()?;
+    let Experiment::Patch(patch) = plan.experiment else { return None };
+    let searched = patch.methods.iter().filter_map(|method| match method.filling() {
+        Filling::Tensor { functions, .. } => functions.searched(),
+        Filling::Triangle(_) => None,
+    });
+    let mut powers = searched.map(|(_, _, energy)| Quantity::of_search(energy).power());
+    let first = powers.next()?;
+    first.filter(|_| powers.all(|power| power == first))
 }
 
 impl Stored {

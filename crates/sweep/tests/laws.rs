@@ -299,3 +299,55 @@ proptest! {
         prop_assert_eq!(merged.is_whole(), !gone.contains(&true));
     }
 }
+
+#[test]
+fn the_least_value_of_searches_is_compared_in_its_unit() {
+    for (energy, search_energy, unit) in [
+        ("dirichlet", "dirichlet", "search-minimum (length²)"),
+        ("bending", "bending", "search-minimum (length²)"),
+        ("dirichlet", "conformality", "search-minimum"),
+    ] {
+        let text = format!(
+            r#"title = "Searches"
+[boundary]
+u0 = [[0, 0, 0], [2, 0, 2], [4, 0, -2], [6, 0, 0]]
+u1 = [[0, 6, 0], [2, 6, 2], [4, 6, -2], [6, 6, 0]]
+v0 = [[0, 0, 0], [0, 2, 2], [0, 4, -2], [0, 6, 0]]
+v1 = [[6, 0, 0], [6, 2, 2], [6, 4, -2], [6, 6, 0]]
+[[method]]
+name = "GT"
+basis = "gt"
+energy = "{energy}"
+search = "polish"
+search-energy = "{search_energy}"
+[search]
+runs = 1
+[output]
+pictures = false
+mesh = 2
+[sweep]
+figure = "search-minimum"
+[[sweep.axis]]
+name = "height"
+scale = "z"
+from = 0.5
+to = 1
+by = 0.5
+"#
+        );
+        let searches =
+            Sweep::parse("searches.toml", &text, Path::new("")).unwrap_or_else(|refusal| panic!("{refusal}"));
+        let out = tempdir().unwrap();
+        ran(&searches, Shard::WHOLE, out.path());
+        let folder = out.path().join("searches");
+        let merged = table(std::slice::from_ref(&folder));
+        let csv = merged.csv();
+        let place = csv.lines().next().unwrap().split(',').position(|name| name == "search.minimum");
+        let place = place.unwrap_or_else(|| panic!("{csv}"));
+        for row in csv.lines().skip(1) {
+            assert!(row.split(',').nth(place).unwrap().parse::<f64>().unwrap() > 0.0, "{row}");
+        }
+        let plots = merged.plots();
+        assert!(plots.contains(&format!(">{unit}</text>")), "{energy}: {unit}");
+    }
+}
