@@ -277,7 +277,7 @@ impl Surface {
             .map_err(|error| io::Error::new(error.kind(), format!("{}: {error}", path.display())))?;
         let surface = self.found();
         let written = watched_to_its_end(py, move |_| surface.write(format, subdivisions, step, &to))??;
-        let lengths = step.unit.and_then(|unit| format.lengths().told(Some(unit)));
+        let lengths = step.unit.and_then(|unit| format.lengths().told(unit));
         let told: Vec<String> = written.map(|form| form.description).into_iter().chain(lengths).collect();
         Ok((!told.is_empty()).then(|| told.join("; ")))
     }

@@ -42,7 +42,7 @@ pub(crate) fn export(arguments: &ExportArguments, stdout: &mut impl Write) -> Re
         let path = to.path().display();
         let written = method.export(format, arguments.mesh.into(), step, &to);
         // Of what is not known there is nothing to say.
-        let lengths = step.unit.and_then(|unit| format.lengths().told(Some(unit)));
+        let lengths = step.unit.and_then(|unit| format.lengths().told(unit));
         match written.map(|form| {
             let told: Vec<String> = form.map(|form| form.description).into_iter().chain(lengths).collect();
             if told.is_empty() { format!("{path}") } else { format!("{path}: {}", told.join("; ")) }

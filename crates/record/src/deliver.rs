@@ -156,7 +156,7 @@ impl Delivery<'_> {
                 if let Some(form) = &form {
                     self.notes.push(format!("{file}: {}", form.description));
                 } else if let Some(unit) = self.plan.output.step.unit
-                    && let Some(told) = format.lengths().told(Some(unit))
+                    && let Some(told) = format.lengths().told(unit)
                 {
                     self.notes.push(format!("{file}: {told}"));
                 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use exchange::{Format, SurfaceForm};
+use exchange::{Format, LengthUnit, Lengths, SurfaceForm};
 use experiment::{Filling, Options, Plan};
 use plateau::{Fill, Film};
 use record::{Destination, ExportError, ResultFile};
@@ -80,7 +80,7 @@ impl Output {
                 let unit = filled.filling.unit();
                 let form = record::export_complex(*format, filled.title, surface, unit, to);
                 let told = |form: Option<SurfaceForm>| form.map(|form| form.description).into_iter();
-                form.map(|form| told(form).chain(format.lengths().told(unit)).collect::<Vec<_>>())
+                form.map(|form| told(form).chain(said(format.lengths(), unit)).collect::<Vec<_>>())
             }
             Wanted::Experiment => text(experiment()?),
             Wanted::Result | Wanted::Page => {
@@ -96,6 +96,20 @@ impl Output {
             }
         }
         Ok(true)
+    }
+}
+
+/// What a program that reads the file takes its numbers for, where that is not left open.
+fn said(lengths: Lengths, unit: Option<LengthUnit>) -> Option<String> {
+    match (lengths, unit) {
+        (lengths, Some(unit)) => lengths.told(unit),
+        (Lengths::Named, None) => {
+            Some("CAD programs take its numbers for millimetres, --unit says what they are".into())
+        }
+        (Lengths::Metres, None) => {
+            Some("viewers take its numbers for metres, --unit says what they are".into())
+        }
+        (Lengths::Unsaid, None) => None,
     }
 }
 

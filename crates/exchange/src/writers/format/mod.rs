@@ -27,23 +27,17 @@ pub enum Lengths {
 }
 
 impl Lengths {
-    /// What a program that reads such a file takes its numbers for, where that is not left open; `unit` is what they were, if that is known.
+    /// What a program that reads such a file takes its numbers for, where that is not left open; `unit` is what they were.
     #[must_use]
-    pub fn told(self, unit: Option<LengthUnit>) -> Option<String> {
+    pub fn told(self, unit: LengthUnit) -> Option<String> {
         match (self, unit) {
-            (Self::Named, Some(unit)) => Some(format!("its numbers are {}", unit.plural())),
-            (Self::Named, None) => {
-                Some("CAD programs take its numbers for millimetres, --unit says what they are".into())
-            }
-            (Self::Metres, Some(LengthUnit::Metre)) => Some("in metres, as glTF is".into()),
-            (Self::Metres, Some(unit)) => Some(format!(
+            (Self::Named, unit) => Some(format!("its numbers are {}", unit.plural())),
+            (Self::Metres, LengthUnit::Metre) => Some("in metres, as glTF is".into()),
+            (Self::Metres, unit) => Some(format!(
                 "in metres, as glTF is: 1 {} became {}",
                 unit.name(),
                 Notation::Short(12).of(unit.metres())
             )),
-            (Self::Metres, None) => {
-                Some("viewers take its numbers for metres, --unit says what they are".into())
-            }
             (Self::Unsaid, _) => None,
         }
     }
