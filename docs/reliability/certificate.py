@@ -20,7 +20,8 @@ All in 60 digits; what is added up in great number, in whole multiples of 2^−1
 import json
 import sys
 from fractions import Fraction
-from math import atan2, comb, frexp, hypot, isqrt, pi
+from itertools import chain
+from math import atan2, comb, frexp, hypot, isfinite, isqrt, pi
 from operator import mul
 
 from mpmath import mp, mpf
@@ -296,6 +297,8 @@ def verify(method):
     demand(skew < 1e-12, "the axes are not orthonormal")
 
     nets, potentials = ([face[key] for face in proof["faces"]] for key in ("net", "potential"))
+    written = [*origin, *chain(*axes), *chain(*chain(*chain(*nets))), *chain(*chain(*potentials)), method["lower_bound"]]
+    demand(all(map(isfinite, written)), "a number of it is none")
     points = [p for net in nets for row in net for p in row]
     size = max(hypot(*(a - b for a, b in zip(p, points[0]))) for p in points)
     demand(size > 0, "the surface is a point")

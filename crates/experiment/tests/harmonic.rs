@@ -143,6 +143,20 @@ fn the_degree_that_a_refusal_names_works_for_all_rows_and_columns() {
 }
 
 #[test]
+fn what_rounding_decides_is_told_as_rounding() {
+    let along = 17;
+    for across in [17, 18, 19] {
+        for rows in [true, false] {
+            let (m, n) = if rows { (across, along) } else { (along, across) };
+            let entry = |k: usize, d: usize| libm::sin((3 * (k % (n + 1)) + k / (n + 1) * (d + 1)) as f64);
+            let net: Vec<[f64; 3]> = (0..(m + 1) * (n + 1)).map(|k| [0, 1, 2].map(|d| entry(k, d))).collect();
+            let found = solved(&experiment(rows, m, n, &net));
+            assert!(matches!(found, Err(MethodError::HarmonicRounding { .. })), "({m}, {n}): {found:?}");
+        }
+    }
+}
+
+#[test]
 fn all_four_sides_of_a_net_that_is_not_harmonic_are_in_conflict() {
     let text = "title = \"four\"\n[boundary]\nu0 = [[0,0,0],[0,1,0],[0,2,0],[0,3,0]]\nu1 = [[3,0,0],[3,1,5],[3,2,0],[3,3,0]]\nv0 = [[0,0,0],[1,0,0],[2,0,0],[3,0,0]]\nv1 = [[0,3,0],[1,3,0],[2,3,0],[3,3,0]]\n[[method]]\nname = \"h\"\nconstruction = \"harmonic\"\n";
     let plan = Plan::parse("four.toml", text).unwrap();

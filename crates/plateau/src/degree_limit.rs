@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::{Energy, Filling, Functions, Method, SearchEnergy, TensorInterior, TriangleInterior};
+use crate::{Energy, Filling, Functions, MAX_DEGREE, Method, SearchEnergy, TensorInterior, TriangleInterior};
 
 /// What is offered to a lower degree than [`MAX_DEGREE`](crate::MAX_DEGREE). Where its system is solved in control points, their condition is beyond
 /// double precision at the next degrees, whatever the boundary; least areas would besides take minutes and gigabytes to say so.
@@ -21,6 +21,12 @@ pub enum DegreeLimit {
     /// nothing else.
     #[error("least areas of patches with shapes are offered to degree {}: beyond, their control points are so large that rounding alone moves the surface", self.degree())]
     LeastArea,
+    /// Least areas of blends, whose functions are sampled all together: beyond, they take minutes and gigabytes.
+    #[error("least areas of TB–Coons patches are offered to degree {}: beyond, they take minutes and gigabytes", self.degree())]
+    BlendLeastArea,
+    /// Discrete Coons nets over triangles, which have one degree more than their sides.
+    #[error("discrete Coons nets over triangles, which have one degree more than their sides, are offered to degree {}", self.degree())]
+    TriangularCoons,
     /// Least areas of several patches.
     #[error("surfaces of several patches are offered to degree {}", self.degree())]
     Patches,
@@ -41,6 +47,8 @@ impl DegreeLimit {
             Self::MetricSteps => 13,
             Self::Harmonic => 20,
             Self::LeastArea => 32,
+            Self::BlendLeastArea => 12,
+            Self::TriangularCoons => MAX_DEGREE - 1,
             Self::TriangularLeastArea => 18,
             Self::OtherSearchEnergy => 16,
         }
@@ -61,7 +69,8 @@ impl Method {
             Filling::Triangle(
                 TriangleInterior::Extremal { .. } | TriangleInterior::MetricCorrections { .. },
             ) => Some(DegreeLimit::Triangle),
-            Filling::Triangle(TriangleInterior::Mask(_) | TriangleInterior::DiscreteCoons) => None,
+            Filling::Triangle(TriangleInterior::DiscreteCoons) => Some(DegreeLimit::TriangularCoons),
+            Filling::Triangle(TriangleInterior::Mask(_)) => None,
             Filling::Tensor { functions, interior } => limit_of_tensor(functions, *interior),
         }
     }
@@ -74,6 +83,9 @@ fn limit_of_tensor(functions: &Functions, interior: TensorInterior) -> Option<De
         // Polynomials are sought by displacements of lower degree.
         TensorInterior::LeastArea { .. } => match functions {
             Functions::Bernstein => None,
+            Functions::Shaped(_) | Functions::Searched { .. } if functions.is_blend() => {
+                Some(DegreeLimit::BlendLeastArea)
+            }
             Functions::Shaped(_) | Functions::Searched { .. } => Some(DegreeLimit::LeastArea),
         },
         TensorInterior::MetricCorrections { .. } => Some(DegreeLimit::MetricSteps),

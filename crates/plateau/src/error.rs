@@ -133,6 +133,18 @@ pub enum MethodError {
         /// Which two sides are given; none if all four are.
         given: Option<Direction>,
     },
+    /// The sides given determine a harmonic net, and rounding does not.
+    #[error(
+        "the harmonic net of degree ({m}, {n}) is lost to rounding: its relations tell it from others by less than the last digits of \
+         control points. Rows of degree 14 or less are found; describe the sides with fewer control points, or take the \
+         extremal of the Laplacian energy"
+    )]
+    HarmonicRounding {
+        /// Degree in u.
+        m: usize,
+        /// Degree in v.
+        n: usize,
+    },
     /// The weights of a mask leave its system without an inverse.
     #[error(
         "the mask is singular at the corner weight α = {alpha:?} on a net of degree {degree} (reciprocal condition \
@@ -305,6 +317,7 @@ impl MethodError {
             | Self::TooHigh(_)
             | Self::HarmonicMissing { .. }
             | Self::HarmonicConflict { .. }
+            | Self::HarmonicRounding { .. }
             | Self::MaskWeight { .. }
             | Self::Degree { .. }
             | Self::Cancellation { .. }

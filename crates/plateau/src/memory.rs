@@ -8,6 +8,9 @@ const BESIDE: usize = 16 << 20;
 /// Inner nodes of a net that are sought at once at most: those of a displacement of the highest degree.
 const SOUGHT: usize = Displacement::MAX_INNER;
 
+/// Bytes of the tables of one function of a blend: values and both derivatives at the points of the finest rules, which are all kept.
+const SAMPLES: usize = 3 * 8 * 70_000;
+
 /// Bytes of a vertex of a mesh: point, normal, parameters, curvatures, two triangles.
 const VERTEX: usize = 24 + 24 + 16 + 16 + 16 + 24;
 
@@ -22,6 +25,10 @@ pub(crate) fn holds(bytes: usize) -> Result<(), MethodError> {
 pub(crate) fn of_method(method: &Method, (m, n): (usize, usize)) -> usize {
     let (m, n) = (m + method.raise(), n + method.raise());
     match method.filling() {
+        Filling::Tensor { functions, interior: TensorInterior::LeastArea { .. } } if functions.is_blend() => {
+            let points = (m + 1) * (n + 1);
+            of_least_area(points).saturating_add(points.saturating_mul(SAMPLES))
+        }
         Filling::Tensor { interior, .. } => {
             of_tensor(*interior, (m + 1) * (n + 1), m.saturating_sub(1) * n.saturating_sub(1))
         }

@@ -41,7 +41,7 @@ pub enum SolveError {
     /// 1/(n ε), where its success proves nothing.
     #[error(
         "the matrix of order {order} is not positive definite to working precision ({}): \
-         fix more unknowns, check that no function of the basis depends on the others, or use the separable solver",
+         fix more unknowns, check that no function of the basis depends on the others, lower the degree, or use the separable solver where it is offered",
         Cause { pivot: *.pivot, condition: *.condition }
     )]
     NotPositiveDefinite {

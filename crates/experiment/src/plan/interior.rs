@@ -205,12 +205,13 @@ impl Draft<'_> {
             return true;
         }
         let key = match limit {
-            DegreeLimit::Triangle | DegreeLimit::LeastArea | DegreeLimit::TriangularLeastArea => {
-                self.energy.span()
-            }
+            DegreeLimit::Triangle
+            | DegreeLimit::LeastArea
+            | DegreeLimit::BlendLeastArea
+            | DegreeLimit::TriangularLeastArea => self.energy.span(),
             DegreeLimit::Patches => self.layers.span(),
             DegreeLimit::MetricSteps => self.metric_steps.span(),
-            DegreeLimit::Harmonic => self.construction.span(),
+            DegreeLimit::Harmonic | DegreeLimit::TriangularCoons => self.construction.span(),
             DegreeLimit::OtherSearchEnergy => self.search_energy.span(),
         };
         let lower = match limit.degree().checked_sub(given) {
@@ -226,6 +227,10 @@ impl Draft<'_> {
                 "write energy = \"area\" without `metric-steps`: it goes farther than any number of steps, at every degree"
             }
             DegreeLimit::Harmonic => "write energy = \"laplacian\" over all four sides",
+            DegreeLimit::TriangularCoons => "describe the sides with one control point less",
+            DegreeLimit::BlendLeastArea => {
+                "leave out `patch`: polynomials of least area go on to degree 64; or write energy = \"dirichlet\", which does as a blend, too"
+            }
             DegreeLimit::LeastArea => {
                 "leave out `basis`: polynomials of least area go on to degree 64; or write energy = \"dirichlet\", which does in every basis"
             }

@@ -39,6 +39,16 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
         }
     }
     let solution = solve_rank(points, unknown.len(), &matrix, 3, &rhs, RANK_TOLERANCE)?;
+    // What theory says is determined and is found not to be, rounding has decided.
+    let determines = |given: usize, free: usize| free > given || free == given && !given.is_multiple_of(2);
+    let is_determined = match given {
+        Some(Direction::Rows) => determines(n, m),
+        Some(Direction::Columns) => determines(m, n),
+        None => false,
+    };
+    if is_determined && (solution.inconsistent > 0 || solution.nullity > 0) {
+        return Err(MethodError::HarmonicRounding { m, n });
+    }
     if solution.inconsistent > 0 {
         // Of all independent relations, those that the unknown points cannot serve bind the sides themselves.
         let conditions = rank(&relations, points)? - solution.rank;

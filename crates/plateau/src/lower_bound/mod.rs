@@ -73,7 +73,7 @@ const MOST_UNKNOWNS: usize = 2500;
 const FEW_UNKNOWNS: usize = 700;
 
 /// What the potential is shrunk by, one after the other, until its rise is shown to be at most 1.
-const SHRINKING: [f64; 6] = [0.0, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5];
+const SHRINKING: [f64; 8] = [0.0, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3];
 
 /// A lower bound of the area of every surface with the rim of `complex`, where that bounds a graph over a plane, which is looked for.
 /// The higher the degree of the complex, the closer the bound is to the least area.
@@ -169,7 +169,7 @@ fn of_faces(complex: &Complex, degree: usize) -> Result<LowerBound, NoBound> {
     }
     let plane = plane(complex)?.ok_or(NoBound::NoGraph)?;
     let calibration = Calibration::new(complex, &plane, degree, 2 * degree)?.ok_or(NoBound::NoGraph)?;
-    let best = potential(&calibration)?;
+    let best = potential(&calibration, degree)?;
     // Where the surface is steep |∇ψ| is near 1, and above it by rounding: shrunk a little it can be proved, at a loss of that share.
     let mut last = None;
     for shrink in SHRINKING {

@@ -22,11 +22,19 @@ pub enum NoBound {
         max: usize,
     },
     /// A potential was found, but the signs that make it a proof could not be shown.
-    #[error("a bound was found but not proved: {0}")]
+    #[error("a bound was found but not proved: {0}; another degree may have one")]
     Unproved(#[from] Unproved),
     /// The integrals could not be made.
     #[error(transparent)]
     Energy(#[from] EnergyError),
+    /// The system of the potential is singular to working precision.
+    #[error(
+        "its potential of degree {degree} cannot be told to working precision: take a lower degree, or no layers"
+    )]
+    Singular {
+        /// The degree of the potential.
+        degree: usize,
+    },
     /// The systems could not be solved.
     #[error(transparent)]
     Solve(#[from] SolveError),

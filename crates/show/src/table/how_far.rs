@@ -1,7 +1,7 @@
 //! How far surfaces may lie above the least area of their boundary, in words.
 
 use crate::Printable;
-use plateau::{Done, Energy, Notation, Results};
+use plateau::{AreaEnd, Done, Energy, Family, Notation, Results, Warning};
 
 /// What is known of the least area over the rim of a surface of least area; none if nothing is.
 pub(crate) fn how_far(done: &Done) -> Option<String> {
@@ -30,6 +30,31 @@ pub(crate) fn losses(results: &Results) -> Option<String> {
     };
     let all: Vec<String> = results.methods().iter().filter_map(of).collect();
     (!all.is_empty()).then(|| format!("above the least area of the boundary (estimated): {}", all.join("; ")))
+}
+
+/// The surfaces of least area that nothing is estimated of unasked, all in one line; none if there are none.
+pub(crate) fn unestimated(results: &Results) -> Option<String> {
+    let of = |method: &plateau::MethodResult| {
+        let done = method.outcome.as_ref().ok()?;
+        let found = done.solved.area()?;
+        let is_polynomial = match done.solved.family() {
+            Family::Bernstein | Family::Triangle | Family::Complex => true,
+            // What they lack is not among functions of their shape.
+            Family::Shaped(_) | Family::Aht | Family::At => false,
+        };
+        let is_told = done.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)));
+        let is_reached = found.end == AreaEnd::Stationary && found.area.settled;
+        (done.estimate.is_none() && is_reached && is_polynomial && !is_told)
+            .then(|| Printable(&method.name).cut(Printable::NAME).to_string())
+    };
+    let all: Vec<String> = results.methods().iter().filter_map(of).collect();
+    (!all.is_empty()).then(|| {
+        format!(
+            "how far above the least area of the boundary is not estimated, which would cost more than the surface did: {}; over `sides`, \
+             `loops` and `polygon` `accuracy` asks for it",
+            all.join(", ")
+        )
+    })
 }
 
 /// A figure with two digits of `difference`, and as many decimals as the table has at least.

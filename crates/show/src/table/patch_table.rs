@@ -6,7 +6,7 @@ use super::cells::cells;
 use super::curve_table::{samples, summary};
 use super::figure::Place;
 use super::grid::grid;
-use super::how_far::{how_far, losses};
+use super::how_far::{how_far, losses, unestimated};
 use crate::Printable;
 use crate::printable::columns;
 use plateau::Results;
@@ -80,6 +80,7 @@ pub(crate) fn notes(results: &Results) -> Vec<String> {
         }
     }
     notes.extend(losses(results).map(|losses| format!("note: {losses}")));
+    notes.extend(unestimated(results).map(|names| format!("note: {names}")));
     notes.extend(results.remarks().iter().map(|remark| format!("note: {remark}")));
     notes
 }
