@@ -242,12 +242,12 @@ fn texts_without_end_and_texts_that_are_none() {
 fn memory_that_is_not_there_and_an_end_that_is_wanted() {
     hold(&[
         (
-            "ulimit -v 100000; \"$0\" run area.toml --threads 1",
+            "sed 's/raise = 11/raise = 8/' area.toml > l.toml; ulimit -v 80000; \"$0\" run l.toml --threads 1",
             0,
             "surfaces of the next degrees would take about",
         ),
         (
-            "sed 's/raise = 11/raise = 27/' area.toml > l.toml; ulimit -v 100000; \"$0\" run l.toml --threads 1",
+            "sed 's/raise = 11/raise = 27\\nbasis = \"gt\"\\nshape = [1, 1, 1, 1]/' area.toml > l.toml; ulimit -v 100000; \"$0\" run l.toml --threads 1",
             1,
             "out of memory",
         ),
@@ -268,7 +268,7 @@ fn memory_that_is_not_there_and_an_end_that_is_wanted() {
             "checkpoint",
         ),
         (
-            "sed 's/raise = 11/raise = 21/' area.toml > l.toml; \"$0\" run l.toml & await out/l; kill -TERM $!; wait $!",
+            "sed 's/raise = 11/raise = 21\\nbasis = \"gt\"\\nshape = [1, 1, 1, 1]/' area.toml > l.toml; \"$0\" run l.toml & await out/l; kill -TERM $!; wait $!",
             130,
             "interrupted",
         ),

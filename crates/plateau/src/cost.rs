@@ -55,7 +55,10 @@ impl Method {
             least_areas,
             seconds: least_areas as f64 * each,
             is_most: is_displaced,
-            bytes: memory::of_method(self, degrees),
+            bytes: match is_displaced {
+                true => memory::of_displacement(Displacement::largest((m, n))),
+                false => memory::of_method(self, degrees),
+            },
         })
     }
 }

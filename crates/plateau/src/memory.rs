@@ -1,12 +1,11 @@
 //! Memory that a method is about to take: asked for beforehand, so that its lack is an error and not the end of the program.
 
-use crate::{Displacement, Filling, Method, MethodError, SolverChoice, TensorInterior, TriangleInterior};
+use crate::{
+    Displacement, Filling, Functions, Method, MethodError, SolverChoice, TensorInterior, TriangleInterior,
+};
 
 /// Tables, meshes of pictures and stacks beside the arrays that are counted.
 const BESIDE: usize = 16 << 20;
-
-/// Inner nodes of a net that are sought at once at most: those of a displacement of the highest degree.
-const SOUGHT: usize = Displacement::MAX_INNER;
 
 /// Bytes of the tables of one function of a blend: values and both derivatives at the points of the finest rules, which are all kept.
 const SAMPLES: usize = 3 * 8 * 70_000;
@@ -29,6 +28,12 @@ pub(crate) fn of_method(method: &Method, (m, n): (usize, usize)) -> usize {
             let points = (m + 1) * (n + 1);
             of_least_area(points).saturating_add(points.saturating_mul(SAMPLES))
         }
+        // Only the first displacement must be found; each other asks for itself.
+        Filling::Tensor { functions: Functions::Bernstein, interior: TensorInterior::LeastArea { .. } }
+            if m.max(n) > Displacement::WHOLE =>
+        {
+            of_displacement((m.min(Displacement::LOWEST), n.min(Displacement::LOWEST)))
+        }
         Filling::Tensor { interior, .. } => {
             of_tensor(*interior, (m + 1) * (n + 1), m.saturating_sub(1) * n.saturating_sub(1))
         }
@@ -46,6 +51,11 @@ fn square(order: usize) -> usize {
 /// Bytes of a least area: the Hessian in three coordinates, its copy with a shift, its factor.
 fn of_least_area(free: usize) -> usize {
     square(3 * free).saturating_mul(4)
+}
+
+/// Bytes of a least area among displacements of these degrees.
+pub(crate) fn of_displacement((m, n): (usize, usize)) -> usize {
+    of_least_area(m.saturating_sub(1) * n.saturating_sub(1))
 }
 
 /// Bytes of a least area over so many faces of a degree: the Hessian of each in three coordinates, and its factor.
@@ -76,7 +86,7 @@ fn of_formula(points: usize) -> usize {
 
 fn of_tensor(interior: TensorInterior, points: usize, free: usize) -> usize {
     match interior {
-        TensorInterior::LeastArea { .. } => of_least_area(free.min(SOUGHT)),
+        TensorInterior::LeastArea { .. } => of_least_area(free),
         TensorInterior::Extremal { solver: SolverChoice::Dense, .. } => of_dense(2, points, free),
         TensorInterior::Extremal { solver: SolverChoice::Auto | SolverChoice::Separable, .. }
         | TensorInterior::Mask { .. } => of_sparse(points),

@@ -392,7 +392,7 @@ fn a_rim_of_circles_follows_the_accuracy_that_is_asked() {
     }
     // Parabolas would have to be very many: the rim stays in few, and says what it costs.
     let few = Fill::default().with_degree(2).with_accuracy(1e-10).loops(&[circle(2.0, 0.0)], &()).unwrap();
-    assert!(few.rim.largest > 1e-9 && few.complex.faces().len() < 200, "{:?}", few.rim);
+    assert!(few.rim.largest > 1e-9 && few.complex().faces().len() < 200, "{:?}", few.rim);
     let asked = Fill::default().with_rim_tolerance(1e-11).loops(&[circle(2.0, 0.0)], &()).unwrap();
-    assert!(asked.rim.largest <= 1e-11 && asked.complex.faces().len() < 30);
+    assert!(asked.rim.largest <= 1e-11 && asked.complex().faces().len() < 30);
 }

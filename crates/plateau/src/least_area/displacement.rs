@@ -27,6 +27,11 @@ pub enum DisplacementEnd {
     },
     /// The next degrees lead to a net that no rule integrates.
     Folds,
+    /// There is no memory for the next degrees.
+    OutOfMemory {
+        /// Bytes that they take.
+        bytes: usize,
+    },
     /// No higher degree is tried.
     Largest {
         /// The share of the area that the last degrees gained.
@@ -39,13 +44,10 @@ impl Displacement {
     pub(crate) const WHOLE: usize = 16;
 
     /// The lowest degree that is tried, up to which control points are brought near the border.
-    pub(super) const LOWEST: usize = 12;
+    pub(crate) const LOWEST: usize = 12;
 
     /// The largest degree that is tried.
     const LARGEST: usize = 32;
-
-    /// Inner nodes of the largest displacement that is tried.
-    pub(crate) const MAX_INNER: usize = (Self::LARGEST - 1).pow(2);
 
     /// The degrees of displacements that are tried for a net of a high degree, at most: its own is the last, if it is none too high.
     pub(crate) fn tried(degree: usize) -> impl Iterator<Item = usize> {
@@ -53,14 +55,20 @@ impl Displacement {
         DEGREES.into_iter().filter(move |&lower| lower < degree).chain(whole)
     }
 
+    /// The degrees of the largest displacement that is tried for a net of these.
+    pub(crate) fn largest((m, n): (usize, usize)) -> (usize, usize) {
+        (m.min(Self::LARGEST), n.min(Self::LARGEST))
+    }
+
     /// Whether higher degrees gain less than the tolerance.
     #[must_use]
     pub const fn has_converged(&self) -> bool {
         match self.end {
             DisplacementEnd::Tolerance => true,
-            DisplacementEnd::Rounding { .. } | DisplacementEnd::Folds | DisplacementEnd::Largest { .. } => {
-                false
-            }
+            DisplacementEnd::Rounding { .. }
+            | DisplacementEnd::Folds
+            | DisplacementEnd::OutOfMemory { .. }
+            | DisplacementEnd::Largest { .. } => false,
         }
     }
 }
@@ -78,6 +86,9 @@ impl fmt::Display for Displacement {
                 )
             }
             DisplacementEnd::Folds => f.write_str("higher ones lead to a net that nearly folds"),
+            DisplacementEnd::OutOfMemory { bytes } => {
+                write!(f, "higher ones take about {:.0} MB, which cannot be allocated", bytes as f64 / 1e6)
+            }
             DisplacementEnd::Largest { gained } => {
                 write!(f, "no higher ones are tried, and the last gained {gained:.0e} of the area")
             }

@@ -9,7 +9,7 @@ use super::displaced::Displaced;
 use super::displacement::{Displacement, DisplacementEnd};
 use super::tensor::is_polynomial;
 use super::{AreaExtremal, minimise};
-use crate::{MethodError, Progress};
+use crate::{MethodError, Progress, memory};
 
 /// Times the rounding of its control points that a displacement must gain to be taken.
 const BEYOND_ROUNDING: f64 = 16.0;
@@ -37,9 +37,17 @@ pub(super) fn least_of_displaced(
     let first =
         lower.as_ref().and_then(|(_, found)| found.displacement).map_or(0, |d| d.degrees.0.max(d.degrees.1));
     let mut best = lower;
-    let mut gained = 0.0;
+    let (mut gained, mut missing) = (0.0, None);
     for degree in Displacement::tried(largest).filter(|&degree| first < degree) {
         let degrees = (m.min(degree), n.min(degree));
+        match (&best, memory::holds(memory::of_displacement(degrees))) {
+            (_, Ok(())) => {}
+            (Some(_), Err(MethodError::OutOfMemory { bytes })) => {
+                missing = Some(bytes);
+                break;
+            }
+            (_, Err(error)) => return Err(error),
+        }
         let space = Displaced::new(patch, degrees)?;
         let near = best.as_ref().map(|(patch, _)| patch);
         let (next, mut found) = minimise(&space, near, std::mem::take(&mut starts), tolerance, progress)?;
@@ -69,7 +77,10 @@ pub(super) fn least_of_displaced(
     }
     let (patch, mut found) = best.expect("the lowest degree is below that of every net of high degree");
     if let Some(displacement) = &mut found.displacement {
-        displacement.end = DisplacementEnd::Largest { gained };
+        displacement.end = match missing {
+            Some(bytes) => DisplacementEnd::OutOfMemory { bytes },
+            None => DisplacementEnd::Largest { gained },
+        };
     }
     Ok((patch, found))
 }
