@@ -8,6 +8,7 @@ use crate::{CurveFile, FileCurve, Sentence, Setting};
 mod copies;
 mod corner;
 mod cycle_basis;
+mod edge;
 mod error;
 mod face;
 mod frame;
@@ -21,6 +22,7 @@ mod split;
 mod walk;
 mod weld;
 
+pub use edge::shortest_edge;
 pub use error::AssemblyError;
 pub use frame::{Frame, FrameError};
 pub use options::AssemblyOptions;
@@ -28,6 +30,7 @@ pub use side::Side;
 pub use walk::{Form, Walk};
 pub use weld::Weld;
 
+use edge::ShortestEdges;
 use network::Network;
 
 /// A boundary: sides between vertices, and loops or faces of them.
@@ -53,7 +56,7 @@ impl Assembly {
     /// Chains the curves of a file into loops or a graph.
     ///
     /// Curves may stand in any order and direction. Ends of curves that nothing meets are welded to the ends, then to the points
-    /// and the straight segments of others within the tolerance; nothing else is moved. Curves that stand twice count once.
+    /// and the straight segments of others within [the reach](AssemblyOptions::reach); nothing else is moved. Curves that stand twice count once.
     /// Polylines that go on in each other are one, cut where three or more meet, where a table begins another side, where other
     /// kinds of curves begin and at corners. Polylines of a straight line become two points. Where three or more sides meet, the
     /// shortest cycles of the graph are its faces, provided that they are the only ones.
@@ -70,15 +73,20 @@ impl Assembly {
             });
         }
         let size = size(file).ok_or(AssemblyError::NoSize)?;
-        let tolerance = options.weld.unwrap_or(AssemblyOptions::WELD * size);
+        let tolerance = options.reach(size, f64::INFINITY);
         if !(tolerance >= 0.0 && tolerance <= weld::MOST_WELDED * size) {
             let expected = "0 to a quarter of the size of the curves";
             return Err(AssemblyError::Option { name: "weld", value: tolerance, expected });
         }
         let mut notes = Vec::new();
         let mut network = Network::new(file, &mut notes)?;
-        let mut weld = weld::weld(&mut network, tolerance)?;
-        junction::split(&mut network, tolerance, &mut weld)?;
+        let edges = ShortestEdges::new(&network, file);
+        let reach = |shortest_edge| options.reach(size, shortest_edge);
+        let mut weld = weld::weld(&mut network, tolerance, |a, b| {
+            reach(f64::min(edges.at_nodes[a], edges.at_nodes[b]))
+        })?;
+        let reach = |end: usize, curve: usize| reach(f64::min(edges.at_nodes[end], edges.of_curves[curve]));
+        junction::split(&mut network, reach, &mut weld)?;
         network.drop_copies(file, size, &mut notes);
         network.close_loops();
         // Of curves that are not closed it is the gap that is to be told.

@@ -125,6 +125,40 @@ fn gaps_are_welded_or_named() {
     }
 }
 
+/// A gap as long as a side is one: the last edge of a polygon, or a side that is missing.
+#[test]
+fn short_sides_are_no_gaps() {
+    for length in [10.0, 11_000.0, 1e6, 1e9] {
+        for start in 0..4 {
+            let corners = [[0.0, 0.0], [length, 0.0], [length, 1.0], [0.0, 1.0]];
+            let row = |k: usize| format!("{:?},{:?},0\n", corners[k % 4][0], corners[k % 4][1]);
+            let assembly = sound("strip.csv", &(start..start + 4).map(row).collect::<String>());
+            assert_eq!((loops(&assembly)[0].len(), assembly.weld.count), (4, 0), "{length} from {start}");
+            // The first point again, within rounding, is welded all the same.
+            let again = row(start).replacen(",0\n", ",1e-12\n", 1);
+            let text = (start..start + 4).map(row).collect::<String>() + &again;
+            let assembly = sound("again.csv", &text);
+            assert_eq!((loops(&assembly)[0].len(), assembly.weld.count), (4, 1), "{length} from {start}");
+        }
+    }
+    // Near the long side, but no junction with it.
+    let assembly = sound("skew.csv", "0,0,0\n11000,0,0\n11000,1,0\n5,1,0\n");
+    assert_eq!((loops(&assembly).len(), assembly.sides.len()), (1, 4));
+    // Of separate sides one is missing, which is as short as its opposite one.
+    let sides = "a,0,0,0\na,11000,0,0\nb,11000,0,0\nb,11000,1,0\nc,11000,1,0\nc,0,1,0\n";
+    let error = assembled("three.csv", sides, &AssemblyOptions::default()).unwrap_err().to_string();
+    for word in ["a gap of 1.", "a quarter of the shortest edge", "a side may be missing", "weld 1"] {
+        assert!(error.contains(word), "{error}\ninstead of {word}");
+    }
+    // What was asked for is done.
+    let asked = AssemblyOptions { weld: Some(1.0), ..AssemblyOptions::default() };
+    assert_eq!(assembled("three.csv", sides, &asked).unwrap().sides.len(), 3);
+    // Samples that stand twice within rounding are no short edges.
+    let twice = "0,0,0\n1,0,0\n1,1e-17,0\n1,1,1\n1,1.0000000000000002,1\n0,1,0\n1e-5,0,0\n";
+    let assembly = sound("twice.csv", twice);
+    assert_eq!(assembly.weld.count, 1);
+}
+
 #[test]
 fn splines_and_arcs_end_in_their_vertices() {
     // A half circle and a line whose ends are rounded to five digits.

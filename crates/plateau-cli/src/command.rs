@@ -219,7 +219,7 @@ pub(crate) struct ImportArguments {
     /// How far curves may pass from samples (a length); by default 1e-4 of the size
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
-    /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
+    /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size, at most a quarter of the shortest edge there
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) weld: Option<f64>,
 }
@@ -254,7 +254,7 @@ pub(crate) struct FillArguments {
     /// How far the rim may pass from samples (a length); by default 1e-4 of the size
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
-    /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size
+    /// How far apart ends of curves may lie to be one point (a length); by default 1e-4 of the size, at most a quarter of the shortest edge there
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub(crate) weld: Option<f64>,
     /// What the numbers are: STEP files say so, GLB is scaled to its metres; by default what the files say, else CAD programs take them for millimetres

@@ -45,7 +45,11 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
         text += &format!("; and {} more", pairs.len() - NAMED);
     }
     let widest = pairs.iter().fold(0.0, |widest, pair| f64::max(widest, pair.0));
-    text += &format!(". Ends within {:.2e} are welded: ", weld.tolerance);
+    text += &format!(". Ends within {:.2e} are welded", weld.tolerance);
+    if pairs.iter().any(|pair| pair.0 <= weld.tolerance) {
+        text += ", but none that are farther apart than a quarter of the shortest edge of the curves there";
+    }
+    text += ": ";
     let is_of_one = |&(_, a, b): &(f64, usize, usize)| {
         network.links[incidence[a][0]].curve == network.links[incidence[b][0]].curve
     };

@@ -7,8 +7,14 @@ use crate::{Sentence, Setting};
 /// Most pairs of an end and a segment looked at.
 const MOST_PAIRS: usize = 20_000_000;
 
-/// Splits every segment on which, within the tolerance, an end lies that nothing meets: there the curves branch.
-pub(super) fn split(network: &mut Network, tolerance: f64, weld: &mut Weld) -> Result<(), AssemblyError> {
+/// Splits every segment on which, within reach, an end lies that nothing meets: there the curves branch.
+///
+/// `reach` is that of an end to a segment of a curve.
+pub(super) fn split(
+    network: &mut Network,
+    reach: impl Fn(usize, usize) -> f64,
+    weld: &mut Weld,
+) -> Result<(), AssemblyError> {
     let degrees = network.degrees();
     let free: Vec<usize> = (0..degrees.len()).filter(|node| degrees[*node] == 1).collect();
     if free.len().saturating_mul(network.links.len()) > MOST_PAIRS {
@@ -33,10 +39,10 @@ pub(super) fn split(network: &mut Network, tolerance: f64, weld: &mut Weld) -> R
         });
         let Some((distance, k)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         // An end that was computed to lie on the segment lies beside it by rounding.
-        if distance > tolerance.max(1e-12 * p.norm()) {
+        let Link { nodes: [a, b], curve, .. } = network.links[k].clone();
+        if distance > reach(end, curve).max(1e-12 * p.norm()) {
             continue;
         }
-        let Link { nodes: [a, b], curve, .. } = network.links[k].clone();
         network.links[k].nodes = [a, end];
         network.links.insert(k + 1, Link { nodes: [end, b], curve, is_segment: true });
         weld.count += usize::from(distance > 0.0);

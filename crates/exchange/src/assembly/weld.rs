@@ -11,7 +11,7 @@ use crate::{Sentence, Setting};
 /// What was welded.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Weld {
-    /// The largest distance allowed.
+    /// The largest distance allowed; beside short edges it is less ([`AssemblyOptions::reach`](super::AssemblyOptions::reach)).
     pub tolerance: f64,
     /// How many ends were moved.
     pub count: usize,
@@ -25,8 +25,13 @@ pub(super) const MOST_WELDED: f64 = 0.25;
 /// Most pairs of points looked at.
 const MOST_PAIRS: usize = 4_000_000;
 
-/// Welds every end that nothing meets to all such ends within the tolerance, else to the nearest other point of another curve.
-pub(super) fn weld(network: &mut Network, tolerance: f64) -> Result<Weld, AssemblyError> {
+/// Welds every end that nothing meets to all such ends within reach, else to the nearest other point of another curve. No two nodes reach
+/// each other farther than the tolerance.
+pub(super) fn weld(
+    network: &mut Network,
+    tolerance: f64,
+    reach: impl Fn(usize, usize) -> f64,
+) -> Result<Weld, AssemblyError> {
     let mut done = Weld { tolerance, ..Weld::default() };
     if tolerance == 0.0 {
         return Ok(done);
@@ -49,7 +54,7 @@ pub(super) fn weld(network: &mut Network, tolerance: f64) -> Result<Weld, Assemb
                 return Err(AssemblyError::TooMany(Sentence::from(many).setting(Setting::Weld)));
             }
             let distance = network.points[end].distance(network.points[other]);
-            if other == end || distance > tolerance {
+            if other == end || distance > reach(end, other) {
                 continue;
             }
             let is_own = curves[other] == curves[end];

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use exchange::{Assembly, AssemblyOptions, CurveFile, Form, Sentence, Setting, Shape};
+use exchange::{Assembly, CurveFile, Form, Sentence, Setting, Shape};
 use plateau::{DegreeLimit, NearestCurve};
 use surfaces::{Bezier, Point};
 
@@ -108,7 +108,7 @@ impl Sides {
     /// Joins the ends of neighbours that lie within the tolerance.
     fn welded(mut curves: Vec<Curve>, options: &ImportOptions) -> Result<Self, ImportError> {
         let size = exchange::diagonal(curves.iter().flat_map(|curve| &curve.points).map(|&p| p.into()));
-        let tolerance = options.assembly.weld.unwrap_or(AssemblyOptions::WELD * size);
+        let tolerance = options.assembly.reach(size, f64::INFINITY);
         if !(tolerance >= 0.0 && (tolerance <= MOST_WELDED * size || size == 0.0)) {
             let why = format!(": it lies between 0 and a quarter of the size, {size:.3e}");
             let given = Sentence::default().value(Setting::Weld, tolerance.to_string());
@@ -119,13 +119,15 @@ impl Sides {
             let next = (k + 1) % curves.len();
             let (end, begin) = (last(&curves[k].points), curves[next].points[0]);
             let gap = end.distance(begin);
-            if gap > tolerance {
+            let shortest = [k, next].map(|k| exchange::shortest_edge(&curves[k].points));
+            let reach = options.assembly.reach(size, f64::min(shortest[0], shortest[1]));
+            if gap > reach {
                 let named = curves.iter().all(|curve| curve.label == curve.name);
                 let [first, second] = [k, next].map(|k| curves[k].label.clone());
                 let wide = Some(1.1 * gap).filter(|wide| *wide <= 0.95 * MOST_WELDED * size);
                 let wide = wide.map(|wide| format!("{wide:.1e}"));
                 let (end, begin) = (end.into(), begin.into());
-                let gap = CornerGap { first, second, end, begin, gap, tolerance, wide, named };
+                let gap = CornerGap { first, second, end, begin, gap, tolerance: reach, wide, named };
                 return Err(ImportError::Corner(Box::new(gap)));
             }
             if gap > 0.0 {
