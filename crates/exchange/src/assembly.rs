@@ -18,6 +18,7 @@ mod loops;
 mod network;
 mod options;
 mod side;
+mod size;
 mod split;
 mod walk;
 mod weld;
@@ -72,7 +73,7 @@ impl Assembly {
                 expected: "1 to 179 degrees",
             });
         }
-        let size = size(file).ok_or(AssemblyError::NoSize)?;
+        let size = size::size(file)?;
         let tolerance = options.reach(size, f64::INFINITY);
         if !(tolerance >= 0.0 && tolerance <= weld::MOST_WELDED * size) {
             let expected = "0 to a quarter of the size of the curves";
@@ -94,9 +95,7 @@ impl Assembly {
         if !file.curves.iter().all(is_closed) {
             gap::none(&network, file, &weld)?;
         }
-        if is_line(file, size) {
-            return Err(AssemblyError::Line);
-        }
+        size::unless_line(file, size)?;
         gap::none(&network, file, &weld)?;
         if weld.count > 0 {
             let welded = format!(
@@ -116,29 +115,4 @@ impl Assembly {
         }
         Ok(Self { vertices, sides, form, weld, corner_angle: angle, size, notes })
     }
-}
-
-/// Share of the size by which points of a line may lie beside it.
-const STRAIGHT: f64 = 1e-12;
-
-/// Whether all curves together are one straight line, to rounding.
-fn is_line(file: &CurveFile, size: f64) -> bool {
-    let points = || file.curves.iter().flat_map(|curve| curve.shape.sampled());
-    let Some(first) = points().next() else { return false };
-    let farthest = points().max_by(|a, b| first.distance(*a).total_cmp(&first.distance(*b)));
-    let Some(direction) = farthest.and_then(|p| (p - first).unit()) else { return false };
-    points().all(|p| (p - first).cross(direction).norm() <= STRAIGHT * (size + first.norm()))
-}
-
-/// The diagonal of the box around all curves, if it is a positive number.
-fn size(file: &CurveFile) -> Option<f64> {
-    let mut bounds: Option<[Point; 2]> = None;
-    for p in file.curves.iter().flat_map(|curve| curve.shape.sampled()) {
-        let [low, high] = bounds.unwrap_or([p, p]);
-        let pick =
-            |f: fn(f64, f64) -> f64, a: Point, b: Point| Point::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z));
-        bounds = Some([pick(f64::min, low, p), pick(f64::max, high, p)]);
-    }
-    let [low, high] = bounds?;
-    Some((high - low).norm()).filter(|size| *size > 0.0 && size.is_finite())
 }

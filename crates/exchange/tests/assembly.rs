@@ -159,6 +159,46 @@ fn short_sides_are_no_gaps() {
     assert_eq!(assembly.weld.count, 1);
 }
 
+/// The unit skew square, each corner times a scale, from an offset on.
+fn skew(scale: f64, offset: f64) -> String {
+    let corner = |[x, y, z]: [f64; 3]| {
+        format!("{:?},{:?},{:?}\n", x * scale + offset, y * scale + offset, z * scale)
+    };
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 1.0, 0.0]];
+    corners.into_iter().map(corner).collect()
+}
+
+/// How far the origin is, is no matter of shape, until rounding has moved the points themselves.
+#[test]
+fn far_curves_are_what_they_are_near() {
+    for power in [0, 20, 40, 44, 46] {
+        let assembly = sound("far.csv", &skew(1.0, 2f64.powi(power)));
+        assert_eq!((loops(&assembly)[0].len(), assembly.weld.count), (4, 0), "2^{power}");
+    }
+    // A side of three samples, bent by a hundredth, at a distance at which a millionth of a millionth is more than that.
+    let bent = |x: f64| format!("a,{x:?},0,0\na,{:?},0.015625,0\na,{:?},0,0\nb,{:?},0,0\nb,{x:?},1,0\nb,{x:?},0,0\n", x + 0.5, x + 1.0, x + 1.0);
+    for x in [0.0, 2f64.powi(36)] {
+        let assembly = sound("bent.csv", &bent(x));
+        assert_eq!(assembly.sides[0].shape.sampled().len(), 3, "{x}");
+    }
+    for offset in [1e17, 1e20] {
+        let error = assembled("far.csv", &skew(1.0, offset), &AssemblyOptions::default()).unwrap_err();
+        assert!(matches!(error, AssemblyError::Far { .. }), "{error}");
+        assert!(error.to_string().contains("from the origin"), "{error}");
+    }
+}
+
+#[test]
+fn points_that_are_too_near_or_the_same_are_told_apart() {
+    let error = |text: &str| assembled("near.csv", text, &AssemblyOptions::default()).unwrap_err();
+    for scale in [1e-320, 1e-200, 1e-80] {
+        let error = error(&skew(scale, 0.0));
+        assert!(matches!(error, AssemblyError::TooNear { extent } if extent == scale), "{error}");
+        assert!(error.to_string().contains("too near"), "{error}");
+    }
+    assert_eq!(error("1,2,3\n1,2,3\n1,2,3\n"), AssemblyError::NoSize);
+}
+
 #[test]
 fn splines_and_arcs_end_in_their_vertices() {
     // A half circle and a line whose ends are rounded to five digits.

@@ -3,15 +3,13 @@
 use surfaces::Point;
 
 use super::network::Network;
+use super::size::rounding;
 use crate::{CurveFile, Shape};
-
-/// Coordinates that differ by this share of their size differ by rounding.
-pub(super) const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The length of the shortest edge of a polygon; edges that are no longer than rounding of its coordinates are none. Infinite where there
 /// is none at all.
 pub fn shortest_edge(points: &[Point]) -> f64 {
-    let is_more = |pair: &&[Point]| pair[0].distance(pair[1]) > ROUNDING * pair[0].norm().max(pair[1].norm());
+    let is_more = |pair: &&[Point]| pair[0].distance(pair[1]) > rounding(pair[0]).max(rounding(pair[1]));
     let lengths = points.windows(2).filter(|pair| is_more(&pair)).map(|pair| pair[0].distance(pair[1]));
     lengths.fold(f64::INFINITY, f64::min)
 }

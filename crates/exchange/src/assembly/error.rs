@@ -16,9 +16,39 @@ pub enum AssemblyError {
         /// What may be given.
         expected: &'static str,
     },
-    /// All points of all curves are one point, or their box is too large for a number.
-    #[error("the curves have no size: all their points are the same, or too far apart")]
+    /// All points of all curves are one point.
+    #[error("the curves have no size: all their points are the same")]
     NoSize,
+    /// The box around all curves is too small.
+    #[error(
+        "the points of the curves are too near each other: they lie {extent:e} apart, and below {:e} areas leave the range of double \
+         precision: choose a smaller unit of length",
+        plateau::MIN_SIZE
+    )]
+    TooNear {
+        /// The longest side of the box (a length).
+        extent: f64,
+    },
+    /// The box around all curves is too large.
+    #[error(
+        "the points of the curves are too far apart: they lie {extent:e} apart, and areas of that leave the range of double precision: \
+         choose a larger unit of length"
+    )]
+    TooFarApart {
+        /// The longest side of the box (a length).
+        extent: f64,
+    },
+    /// Points so far from the origin that their coordinates cannot tell them apart.
+    #[error(
+        "the curves lie {distance:.3e} from the origin, where neighbouring numbers of double precision are {step:.3e} apart: their points \
+         have been rounded onto one another or onto one straight line; move them near the origin before they are written"
+    )]
+    Far {
+        /// The distance of the first of them from the origin (a length).
+        distance: f64,
+        /// How far apart neighbouring numbers are there (a length).
+        step: f64,
+    },
     /// All points on one line.
     #[error(
         "all points of the curves lie on one straight line, and a surface needs an area: is a side missing, or a coordinate?"
@@ -41,7 +71,13 @@ impl AssemblyError {
     pub fn told(&self, spelled: &dyn Fn(Setting, Option<&str>) -> String) -> String {
         match self {
             Self::Gap(sentence) | Self::TooMany(sentence) => sentence.told(spelled),
-            Self::Option { .. } | Self::NoSize | Self::Line | Self::Ambiguous(_) => self.to_string(),
+            Self::Option { .. }
+            | Self::NoSize
+            | Self::TooNear { .. }
+            | Self::TooFarApart { .. }
+            | Self::Far { .. }
+            | Self::Line
+            | Self::Ambiguous(_) => self.to_string(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Ends on the middle of straight segments.
 
 use super::network::{Link, Network};
+use super::size::rounding;
 use super::{AssemblyError, Weld};
 use crate::{Sentence, Setting};
 
@@ -40,7 +41,7 @@ pub(super) fn split(
         let Some((distance, k)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         // An end that was computed to lie on the segment lies beside it by rounding.
         let Link { nodes: [a, b], curve, .. } = network.links[k].clone();
-        if distance > reach(end, curve).max(1e-12 * p.norm()) {
+        if distance > reach(end, curve).max(rounding(p)) {
             continue;
         }
         network.links[k].nodes = [a, end];

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use surfaces::{BoundaryCurve, CurveError, Point, Samples, SplineCurve};
 
 use super::network::Network;
+use super::size::{are_beside, rounding};
 use crate::{CurveFile, Shape};
 
 /// A curve between two vertices, or a closed one without any.
@@ -51,9 +52,6 @@ impl Side {
         }
     }
 }
-
-/// Share of the size by which points of a straight line may lie beside it: rounding, no more.
-const STRAIGHT: f64 = 1e-12;
 
 /// A run of links in its direction of travel: nodes one more than links, or as many where it is closed without a vertex.
 struct Run {
@@ -144,9 +142,7 @@ fn other(network: &Network, link: usize, node: usize) -> usize {
 /// Whether points run along the straight line from the first to the last.
 fn is_straight(points: &[Point], size: f64) -> bool {
     let (first, last) = (points[0], points[points.len() - 1]);
-    let Some(direction) = (last - first).unit() else { return false };
-    let is_beside = |p: &Point| (*p - first).cross(direction).norm() <= STRAIGHT * (size + first.norm());
-    points.iter().all(is_beside) && points.windows(2).all(|pair| (pair[1] - pair[0]).dot(direction) > 0.0)
+    are_beside(points, size, last) && points.windows(2).all(|pair| (pair[1] - pair[0]).dot(last - first) > 0.0)
 }
 
 /// A curve with its ends in two points they were welded to. Polynomials and splines are moved there by their end points; arcs become
@@ -160,7 +156,7 @@ fn ended(shape: Shape, ends: [Point; 2]) -> Shape {
     match shape {
         Shape::Spline(spline) if moved > 0.0 => Shape::Spline(spline_ended(&spline, ends).unwrap_or(spline)),
         Shape::Arc(arc)
-            if !arc.is_closed() && moved > 1e-12 * (ends[0].norm() + arc.radii()[0].max(arc.radii()[1])) =>
+            if !arc.is_closed() && moved > rounding(ends[0]) + 1e-12 * arc.radii()[0].max(arc.radii()[1]) =>
         {
             let spline = Shape::Arc(arc.clone()).as_spline();
             spline.and_then(|spline| spline_ended(&spline, ends)).map_or(Shape::Arc(arc), Shape::Spline)

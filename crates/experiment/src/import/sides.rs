@@ -281,7 +281,8 @@ fn around(names: &[(&'static str, bool)], sides: &[(&str, &[Point])]) -> Vec<Cur
 fn is_straight(samples: &[Point]) -> bool {
     let (first, end) = (samples[0], last(samples));
     let Some(direction) = (end - first).unit() else { return false };
-    let close = 1e-12 * (end.distance(first) + first.norm());
+    // Counted from the first: far from the origin there is rounding, too.
+    let close = (1e-12 * end.distance(first)).max(4.0 * f64::EPSILON * first.norm());
     samples.iter().all(|p| (*p - first).cross(direction).norm() <= close)
         && samples.windows(2).all(|pair| (pair[1] - pair[0]).dot(direction) > 0.0)
 }
