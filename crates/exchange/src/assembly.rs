@@ -20,6 +20,7 @@ mod options;
 mod side;
 mod size;
 mod split;
+mod touch;
 mod walk;
 mod weld;
 
@@ -33,6 +34,7 @@ pub use weld::Weld;
 
 use edge::ShortestEdges;
 use network::Network;
+use touch::Touches;
 
 /// A boundary: sides between vertices, and loops or faces of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,9 +109,15 @@ impl Assembly {
             let tolerance = format!("{:.2e}", weld.tolerance);
             notes.push(Sentence::from(welded).value(Setting::Weld, tolerance).text(")"));
         }
+        let touches = Touches::of(&network, file);
+        notes.extend(touches.iter().map(|touches| Sentence::from(touches.note())));
         let corners = corner::find(&network, file, angle.to_radians(), &mut notes);
         let (mut vertices, mut sides) = side::sides(&network, file, &corners, size);
-        let mut form = loops::form(&vertices, &sides)?;
+        let form = loops::form(&vertices, &sides);
+        let mut form = form.map_err(|error| match &touches {
+            Some(touches) => touches.before(error),
+            None => error,
+        })?;
         if let Form::Faces(faces) = &mut form {
             split::split(&mut vertices, &mut sides, faces);
         }

@@ -161,9 +161,8 @@ fn short_sides_are_no_gaps() {
 
 /// The unit skew square, each corner times a scale, from an offset on.
 fn skew(scale: f64, offset: f64) -> String {
-    let corner = |[x, y, z]: [f64; 3]| {
-        format!("{:?},{:?},{:?}\n", x * scale + offset, y * scale + offset, z * scale)
-    };
+    let corner =
+        |[x, y, z]: [f64; 3]| format!("{:?},{:?},{:?}\n", x * scale + offset, y * scale + offset, z * scale);
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 1.0, 0.0]];
     corners.into_iter().map(corner).collect()
 }
@@ -176,7 +175,14 @@ fn far_curves_are_what_they_are_near() {
         assert_eq!((loops(&assembly)[0].len(), assembly.weld.count), (4, 0), "2^{power}");
     }
     // A side of three samples, bent by a hundredth, at a distance at which a millionth of a millionth is more than that.
-    let bent = |x: f64| format!("a,{x:?},0,0\na,{:?},0.015625,0\na,{:?},0,0\nb,{:?},0,0\nb,{x:?},1,0\nb,{x:?},0,0\n", x + 0.5, x + 1.0, x + 1.0);
+    let bent = |x: f64| {
+        format!(
+            "a,{x:?},0,0\na,{:?},0.015625,0\na,{:?},0,0\nb,{:?},0,0\nb,{x:?},1,0\nb,{x:?},0,0\n",
+            x + 0.5,
+            x + 1.0,
+            x + 1.0
+        )
+    };
     for x in [0.0, 2f64.powi(36)] {
         let assembly = sound("bent.csv", &bent(x));
         assert_eq!(assembly.sides[0].shape.sampled().len(), 3, "{x}");
@@ -197,6 +203,48 @@ fn points_that_are_too_near_or_the_same_are_told_apart() {
         assert!(error.to_string().contains("too near"), "{error}");
     }
     assert_eq!(error("1,2,3\n1,2,3\n1,2,3\n"), AssemblyError::NoSize);
+}
+
+/// A loop that comes back to a point of its own is two that share it, wherever it begins.
+#[test]
+fn loops_that_touch_themselves_are_told() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]];
+    for turned in [false, true] {
+        for start in 0..6 {
+            let row = |k: usize| {
+                let [x, y] = points[if turned { 11 - start - k } else { start + k } % 6];
+                format!("{x:?},{y:?},0\n")
+            };
+            let assembly = sound("touch.csv", &(0..6).map(row).collect::<String>());
+            let Form::Faces(faces) = &assembly.form else { panic!("{start}: {:?}", assembly.form) };
+            assert!(faces.len() == 2 && faces.iter().all(|face| face.len() == 3), "{start}: {faces:?}");
+            let note = "the curve of line 1 touches itself at (1, 1, 0)";
+            assert!(
+                assembly.notes.iter().any(|said| said.to_string().starts_with(note)),
+                "{:?}",
+                assembly.notes
+            );
+        }
+    }
+    // Twice round an axis, once through the same point.
+    let round = |k: i32| {
+        let (s, c) = (f64::from(k % 40) * std::f64::consts::PI / 20.0).sin_cos();
+        format!("{c:?},{s:?},{:?}\n", if k % 40 == 0 { 0.0 } else { 0.1 * f64::from(k / 40) + 0.1 })
+    };
+    for start in [0, 7, 40] {
+        let assembly = sound("twice.csv", &(start..start + 80).map(|k| round(k % 80)).collect::<String>());
+        assert!(matches!(&assembly.form, Form::Faces(faces) if faces.len() == 2), "{start}");
+        assert!(assembly.notes.iter().any(|note| note.to_string().contains("touches itself at (1, 0, 0)")));
+    }
+    // Where it is open which cycles are meant, that is why.
+    let star = "0,0,0\n1,0,0\n2,0,0\n2,2,0\n1,0,0\n1,2,0\n2,2,0\n0,2,0\n1,2,0\n";
+    match assembled("star.csv", star, &AssemblyOptions::default()) {
+        Ok(assembly) => assert!(matches!(assembly.form, Form::Faces(_)), "{assembly:?}"),
+        Err(error) => assert!(error.to_string().contains("touches itself at"), "{error}"),
+    }
+    // What another curve joins is no loop of its own.
+    let error = assembled("net.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 2\n", &AssemblyOptions::default());
+    assert!(matches!(error, Err(AssemblyError::Gap(_))), "{error:?}");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use crate::{CurveFile, Shape};
 /// is none at all.
 pub fn shortest_edge(points: &[Point]) -> f64 {
     let is_more = |pair: &&[Point]| pair[0].distance(pair[1]) > rounding(pair[0]).max(rounding(pair[1]));
-    let lengths = points.windows(2).filter(|pair| is_more(&pair)).map(|pair| pair[0].distance(pair[1]));
+    let lengths = points.windows(2).filter(is_more).map(|pair| pair[0].distance(pair[1]));
     lengths.fold(f64::INFINITY, f64::min)
 }
 

@@ -21,7 +21,7 @@ pub enum AssemblyError {
     NoSize,
     /// The box around all curves is too small.
     #[error(
-        "the points of the curves are too near each other: they lie {extent:e} apart, and below {:e} areas leave the range of double \
+        "the curves have no size: their points are too near each other, {extent:e} apart, and below {:e} areas leave the range of double \
          precision: choose a smaller unit of length",
         plateau::MIN_SIZE
     )]
@@ -31,7 +31,7 @@ pub enum AssemblyError {
     },
     /// The box around all curves is too large.
     #[error(
-        "the points of the curves are too far apart: they lie {extent:e} apart, and areas of that leave the range of double precision: \
+        "the points of the curves are too far from each other, {extent:e}, and areas of that leave the range of double precision: \
          choose a larger unit of length"
     )]
     TooFarApart {

@@ -23,9 +23,7 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
     }
     let whose = |node: usize| {
         let curve = network.links[incidence[node][0]].curve;
-        let read = &file.curves[curve];
-        let name =
-            if read.name.is_empty() { format!("the curve of line {}", read.line) } else { read.name.clone() };
+        let name = file.curves[curve].called();
         let verb = if network.ends[curve][0] == node { "begins" } else { "ends" };
         format!("{name} {verb} at {}", shown(network.points[node]))
     };
@@ -86,7 +84,7 @@ fn pairs(network: &Network, free: &[usize]) -> Vec<(f64, usize, usize)> {
 }
 
 /// A point in few digits.
-fn shown(p: Point) -> String {
+pub(super) fn shown(p: Point) -> String {
     let [x, y, z] = [p.x, p.y, p.z].map(|x| Notation::Short(6).of(x));
     format!("({x}, {y}, {z})")
 }

@@ -147,18 +147,28 @@ impl Network {
         incidence
     }
 
-    /// Closes the curves whose ends nothing meets and that are said to be loops.
+    /// Closes the curves that are said to be loops and do not come back to their beginning.
     pub(super) fn close_loops(&mut self) {
-        let mut degrees = self.degrees();
-        for curve in 0..self.ends.len() {
-            let [start, end] = self.ends[curve];
-            // Only ends that nothing else meets: a curve that something joins is part of a net, whatever the file says.
-            if self.closes[curve] && start != end && degrees[start] == 1 && degrees[end] == 1 {
-                self.links.push(Link { nodes: [end, start], curve, is_segment: true });
-                self.ends[curve] = [start, start];
-                // A copy of the curve finds itself closed.
-                [start, end].into_iter().for_each(|node| degrees[node] += 1);
+        let incidence = self.incidence();
+        // A curve may have run through its ends before, but nothing else does: one that something joins is part of a net, whatever the file
+        // says.
+        let is_open = |curve: usize, node: usize| {
+            let links = &incidence[node];
+            links.len() % 2 == 1 && links.iter().all(|link| self.links[*link].curve == curve)
+        };
+        let mut closing = Vec::new();
+        for (curve, &[start, end]) in self.ends.iter().enumerate().filter(|(curve, _)| self.closes[*curve]) {
+            if start != end && is_open(curve, start) && is_open(curve, end) {
+                closing.push(Link { nodes: [end, start], curve, is_segment: true });
             }
+        }
+        // A segment that is run again counts once.
+        closing.retain(|link| {
+            !incidence[link.nodes[0]].iter().any(|other| self.links[*other].nodes.contains(&link.nodes[1]))
+        });
+        for link in closing {
+            self.ends[link.curve] = [link.nodes[1]; 2];
+            self.links.push(link);
         }
     }
 
@@ -204,9 +214,7 @@ fn said(file: &CurveFile, repeats: &[(usize, Vec<usize>)]) -> String {
     for (curve, equal) in repeats {
         let shown: Vec<String> = equal.iter().take(left).map(usize::to_string).collect();
         left -= shown.len();
-        let read = &file.curves[*curve];
-        let name =
-            if read.name.is_empty() { format!("the curve of line {}", read.line) } else { read.name.clone() };
+        let name = file.curves[*curve].called();
         let rest = if shown.len() < equal.len() { ", …" } else { "" };
         sides.push(format!("{name}: {}{rest}", shown.join(", ")));
         if left == 0 {

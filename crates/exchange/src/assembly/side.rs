@@ -142,7 +142,8 @@ fn other(network: &Network, link: usize, node: usize) -> usize {
 /// Whether points run along the straight line from the first to the last.
 fn is_straight(points: &[Point], size: f64) -> bool {
     let (first, last) = (points[0], points[points.len() - 1]);
-    are_beside(points, size, last) && points.windows(2).all(|pair| (pair[1] - pair[0]).dot(last - first) > 0.0)
+    are_beside(points, size, last)
+        && points.windows(2).all(|pair| (pair[1] - pair[0]).dot(last - first) > 0.0)
 }
 
 /// A curve with its ends in two points they were welded to. Polynomials and splines are moved there by their end points; arcs become

@@ -60,6 +60,11 @@ impl CurveFile {
 }
 
 impl FileCurve {
+    /// Its name, or its line where it has none.
+    pub(crate) fn called(&self) -> String {
+        if self.name.is_empty() { format!("the curve of line {}", self.line) } else { self.name.clone() }
+    }
+
     /// The lines it is made of.
     fn parts(self) -> Vec<Self> {
         let Shape::Polyline(points) = &self.shape else { return vec![self] };
