@@ -1,7 +1,7 @@
 //! Boundaries from files: curves in, a ready experiment out.
 
 use exchange::{Assembly, AssemblyError, Sentence, read_curves};
-use plateau::Fill;
+use plateau::{Fill, MAX_DEGREE};
 
 use crate::Plan;
 
@@ -43,7 +43,7 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
         file = file.parted();
     }
     if !options.says_what_points_are() && sides::names(&file).is_some() {
-        control::ask(&file)?;
+        control::ask(&file, MAX_DEGREE)?;
     }
     let (title, output) = (title(name), printed::output(file.unit));
     let said = |more: &[Sentence]| -> Vec<String> {

@@ -175,6 +175,39 @@ fn control_points_that_make_no_curve_say_what_to_do() {
     }
 }
 
+/// What is proposed for sides of many points is then taken.
+#[test]
+fn many_points_are_asked_about_with_ways_out_that_are_open() {
+    let table = |count: usize| -> String {
+        let side = |name: &str, v: usize| -> String {
+            (0..count).map(|k| format!("{name},{k},{v},{}\n", k % 2)).collect()
+        };
+        let end = (count - 1) % 2;
+        let last = count - 1;
+        side("u0", 0)
+            + &side("u1", 1)
+            + &format!("v0,0,0,0\nv0,0,1,0\nv1,{last},0,{end}\nv1,{last},1,{end}\n")
+    };
+    for count in [14, 31, 32, 41, 65, 66] {
+        let text = table(count);
+        let filled = filling(&text, &ImportOptions::default()).unwrap_err().to_string();
+        let imported =
+            import(text.as_bytes(), "many.csv", &ImportOptions::default()).unwrap_err().to_string();
+        let offers = |said: &str| said.contains("then `--control-points`");
+        assert_eq!(offers(&filled), filling(&text, &controls()).is_ok(), "{count}: {filled}");
+        assert_eq!(
+            offers(&imported),
+            import(text.as_bytes(), "many.csv", &controls()).is_ok(),
+            "{count}: {imported}"
+        );
+        for said in [&filled, &imported] {
+            assert!(said.contains("`--degree 6`"), "{said}");
+            assert_eq!(offers(said), !said.contains("is the highest"), "{said}");
+        }
+        assert!(filling(&text, &ImportOptions { degree: Some(6), ..ImportOptions::default() }).is_ok());
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 

@@ -26,7 +26,7 @@ pub(super) fn taken(
         match (sides::names(&file), options.degree) {
             (None, _) => return Ok((file, None)),
             (Some(_), Some(_)) => return Ok((file, Some(ON_CURVES))),
-            (Some(_), None) => ask(&file)?,
+            (Some(_), None) => ask(&file, SplineCurve::MAX_DEGREE)?,
         }
         note = Some(CONTROL);
     }
@@ -42,17 +42,17 @@ pub(super) fn taken(
     Ok((file, note))
 }
 
-/// Refuses sides of so many points that they are more likely on the curve.
+/// Refuses sides of so many points that they are more likely on the curve; as control points they may make curves of the `highest` degree.
 ///
 /// # Errors
 /// [`ImportError::Ask`] for the first of them.
-pub(super) fn ask(file: &CurveFile) -> Result<(), ImportError> {
+pub(super) fn ask(file: &CurveFile, highest: usize) -> Result<(), ImportError> {
     let points = |curve: &FileCurve| match &curve.shape {
         Shape::Polyline(points) => points.len(),
         Shape::Spline(_) | Shape::Arc(_) => 0,
     };
     match file.curves.iter().find(|curve| points(curve) > MANY) {
-        Some(curve) => Err(ImportError::Ask { side: curve.name.clone(), count: points(curve) }),
+        Some(curve) => Err(ImportError::Ask { side: curve.name.clone(), count: points(curve), highest }),
         None => Ok(()),
     }
 }

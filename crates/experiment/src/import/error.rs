@@ -25,15 +25,16 @@ pub enum ImportError {
     /// A side has many points, and nothing says what they are.
     #[error(
         "{side} has {count} points, and what they are has to be said: points on the curve, then `--degree 6`, with which curves are laid \
-         through them; or control points of a curve of degree {}, then `--control-points`; under other names than those of the sides of \
-         an experiment they are points on the curve without a word",
-        count - 1
+         through them; {}; under other names than those of the sides of an experiment they are points on the curve without a word",
+        as_control_points(*count, *highest)
     )]
     Ask {
         /// The side.
         side: String,
         /// How many points.
         count: usize,
+        /// The highest degree of a curve whose control points they may be.
+        highest: usize,
     },
     /// The ends of two sides are apart.
     #[error("{0}")]
@@ -67,6 +68,17 @@ impl ImportError {
             | Self::Plan(_) => self.to_string(),
         }
     }
+}
+
+/// What is to be done where points are control points, if they may be.
+fn as_control_points(count: usize, highest: usize) -> String {
+    let degree = count - 1;
+    if degree > highest {
+        return format!(
+            "control points they cannot be, of a curve of degree {degree}, for {highest} is the highest"
+        );
+    }
+    format!("or control points of a curve of degree {degree}, then `--control-points`")
 }
 
 /// Two sides that should meet and do not.
