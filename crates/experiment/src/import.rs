@@ -8,6 +8,7 @@ use crate::Plan;
 mod control;
 mod error;
 mod filling;
+mod limits;
 mod nearness;
 mod options;
 mod printed;
@@ -66,6 +67,7 @@ pub fn import(bytes: &[u8], name: &str, options: &ImportOptions) -> Result<Strin
     match Sides::of_assembly(&assembly, options)? {
         Some(sides) => checked(sides.printed(&title, &notes) + &output),
         None => {
+            limits::check(&assembly)?;
             let fill =
                 options.degree.map_or_else(Fill::default, |degree| Fill::default().with_degree(degree));
             checked(printed::assembly(&title, &assembly, options, &fill, &notes) + &output)

@@ -208,6 +208,39 @@ fn many_points_are_asked_about_with_ways_out_that_are_open() {
     }
 }
 
+/// As many corners as `run` takes, no more, and a way out for more.
+#[test]
+fn loops_of_more_corners_than_are_offered_are_refused_at_once() {
+    let gear = |teeth: usize| -> String {
+        let corner = |k: usize| {
+            let (s, c) = (std::f64::consts::TAU * k as f64 / (2 * teeth) as f64).sin_cos();
+            let r = if k.is_multiple_of(2) { 1.0 } else { 1.3 };
+            format!("{:?},{:?},0\n", r * c, r * s)
+        };
+        (0..2 * teeth).map(corner).collect()
+    };
+    let options = ImportOptions::default();
+    assert!(filling(&gear(100), &options).is_ok());
+    assert!(import(gear(100).as_bytes(), "gear.csv", &options).is_ok());
+    let smooth = ImportOptions {
+        assembly: exchange::AssemblyOptions { corner_angle: 179.0, ..exchange::AssemblyOptions::default() },
+        ..ImportOptions::default()
+    };
+    for teeth in [101, 150] {
+        let text = gear(teeth);
+        let refused = [
+            filling(&text, &options).unwrap_err().to_string(),
+            import(text.as_bytes(), "gear.csv", &options).unwrap_err().to_string(),
+        ];
+        assert_eq!(refused[0], refused[1]);
+        for word in [&format!("{} sides", 2 * teeth), "at most 200", "fewer points", "a larger corner angle"]
+        {
+            assert!(refused[0].contains(word), "{refused:?}");
+        }
+        assert!(filling(&text, &smooth).is_ok());
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 

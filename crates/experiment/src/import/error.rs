@@ -47,6 +47,9 @@ pub enum ImportError {
         /// Why, and what to do.
         why: String,
     },
+    /// More of a boundary than is offered.
+    #[error("{0}")]
+    TooMany(Sentence),
     /// The boundary is not one of an experiment.
     #[error("the points make no sound experiment: {0}")]
     Plan(String),
@@ -58,7 +61,7 @@ impl ImportError {
     pub fn told(&self, spelled: &dyn Fn(Setting, Option<&str>) -> String) -> String {
         match self {
             Self::Assembly(error) => error.told(spelled),
-            Self::Option(sentence) => sentence.told(spelled),
+            Self::Option(sentence) | Self::TooMany(sentence) => sentence.told(spelled),
             Self::Corner(gap) => gap.sentence().told(spelled),
             Self::Io(_)
             | Self::File(_)

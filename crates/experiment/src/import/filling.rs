@@ -4,7 +4,7 @@ use exchange::{Assembly, CurveFile, CurveFileError, Frame, LengthUnit, Sentence,
 use plateau::{Fill, Film, MethodError, Progress};
 use show::RimSource;
 
-use super::{ImportError, ImportOptions, checked, control, printed};
+use super::{ImportError, ImportOptions, checked, control, limits, printed};
 
 /// The curves of one or several files as one boundary, ready to be filled.
 #[derive(Debug, Clone)]
@@ -33,6 +33,7 @@ impl Filling {
         let file = files.try_fold(file, CurveFile::with)?;
         let (file, note) = control::taken(file, options)?;
         let assembly = Assembly::new(&file, &options.assembly)?;
+        limits::check(&assembly)?;
         let frame = assembly.frame(options.rim_tolerance(&assembly))?;
         let notes = note.map(Sentence::from).into_iter().chain(assembly.notes.iter().cloned()).collect();
         Ok(Self { assembly, frame, options: options.clone(), told: file.notes, notes, unit: file.unit })

@@ -8,7 +8,7 @@ use crate::text::{Flag, Key, List, Section, Text, Vector, Ways};
 pub(crate) const MOST_FACES: usize = 200;
 
 /// Most corners of a face.
-const MOST_CORNERS: usize = 100;
+pub(crate) const MOST_CORNERS: usize = 100;
 
 pub(crate) static VERTICES: Key<List<Text>> = Key::new(
     "vertices",
