@@ -42,6 +42,10 @@ fn tables_of_many_dialects_hold_the_same_points() {
         "0.5,1,2,rim\n1.5,1,2,rim\n1,1,1,w\n2,2,2,w\n",
         "side\tX\tY\tZ\rrim\t0.5\t1\t2\rrim\t1.5\t1\t2\rw\t1\t1\t1\rw\t2\t2\t2\r",
         "Easting,Northing,Elevation,name\n0.5,1,2,rim\n1.5,1,2,rim\n1,1,1,w\n2,2,2,w\n",
+        "side|x|y|z\nrim|0.5|1|2\nrim|1.5|1|2\nw|1|1|1\nw|2|2|2\n",
+        "| side | x | y | z |\n|------|:---|---|---:|\n| rim | 0,5 | 1 | 2 |\n| rim | 1,5 | 1 | 2 |\n| w | 1 | 1 | 1 |\n| w | 2 | 2 | 2 |\n",
+        "rim,0.5D+00,1.0D0,2.0d+00\nrim,15.0D-01,1,2\nw,1,1,1\nw,2,2,2\n",
+        "rim;0,5D+00;\u{a0}1\u{a0};2\nrim;1,5;1\u{202f};2\nw;1;1;1\nw;2;2;2\n",
     ] {
         let file = read("t.csv", text);
         assert_eq!((points(&file, 0), names(&file)), (right.to_vec(), vec!["rim", "w"]), "{text}");
@@ -54,6 +58,47 @@ fn tables_of_many_dialects_hold_the_same_points() {
     assert_eq!(points(&read_curves(&utf16, "-").unwrap(), 0), right);
     let latin = b"side;x;y;z\nK\xFCste;0,5;1;2\nK\xFCste;1,5;1;2\n";
     assert_eq!(names(&read_curves(latin, "k.csv").unwrap()), ["Küste"]);
+}
+
+#[test]
+fn minus_signs_of_typesetters_are_read_and_names_with_a_d_are_names() {
+    let file = read("t.csv", "x,y,z\n\u{2212}1.5,0,0\n1,\u{2212}2.5e\u{2212}1,0\n1,1,0\n");
+    assert_eq!(points(&file, 0)[..2], [[-1.5, 0.0, 0.0], [1.0, -0.25, 0.0]]);
+    let file = read("t.csv", "1d2,0,0\n1d2,1,0\n2d2,1,0\n2d2,1,1\n");
+    assert_eq!(names(&file), ["1d2", "2d2"]);
+}
+
+/// What keeps a cell from being a number is named, and what to do.
+#[test]
+fn characters_in_the_way_are_named() {
+    for (cell, words) in [
+        ("1'000.5", ["apostrophe", "separators of thousands"]),
+        ("1\u{2019}000", ["apostrophe", "separators of thousands"]),
+        ("1 000.5", ["U+0020", "separators of thousands"]),
+        ("1\u{a0}000", ["U+00A0", "separators of thousands"]),
+        ("\u{2013}1.5", ["U+2013", "U+002D"]),
+        ("\u{ff11}.5", ["U+FF11", "digits 0 to 9"]),
+        ("1.5mm", ["character m (U+006D)", "the number alone"]),
+        ("1.5D", ["character D (U+0044)", "the number alone"]),
+        ("1.5\u{200b}", ["U+200B", "the number alone"]),
+    ] {
+        for text in
+            [format!("x;y;z\n0;0;0\n{cell};0;0\n1;1;0\n"), format!("x,y,z\n0,0,0\n{cell},0,0\n1,1,0\n")]
+        {
+            let message = refused("t.csv", text.as_bytes());
+            assert!(
+                message.starts_with("line 3") && words.iter().all(|word| message.contains(word)),
+                "{message}"
+            );
+        }
+    }
+    assert!(
+        refused("t.csv", b"x:y:z\n0:0:0\n1:0:0\n").contains("tabs, semicolons, bars (|), commas or blanks")
+    );
+    for bytes in [u32::to_le_bytes, u32::to_be_bytes] {
+        let utf32: Vec<u8> = "\u{feff}x,y,z\n0,0,0\n1,0,0\n".chars().flat_map(|c| bytes(c.into())).collect();
+        assert!(refused("t.csv", &utf32).contains("UTF-32: save it as text in UTF-8"));
+    }
 }
 
 #[test]

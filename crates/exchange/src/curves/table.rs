@@ -11,12 +11,13 @@ use super::limits::{self, LARGEST_COORDINATE, MOST_CURVES, MOST_POINTS};
 use super::{CurveFile, CurveFileError, FileCurve, Kind, Shape, text};
 
 mod columns;
+mod number;
 mod row;
 
 use columns::Columns;
 use row::{Row, Separator};
 
-/// The sides of a table, in the order of their first rows, points in the order of theirs. One separator (tab, semicolon, comma
+/// The sides of a table, in the order of their first rows, points in the order of theirs. One separator (tab, semicolon, bar, comma
 /// or blanks) divides the whole file; where it is no comma, decimals may have one. Columns are found by the heading, or stand as
 /// side, x, y, z. Lines that begin with # are passed over. A table without a column of sides is one loop, or one for each block
 /// between blank lines; so is one in which every row has a name of its own, as surveys have: these are names of points. A column called
@@ -144,8 +145,9 @@ impl Sides {
                 ));
             }
         }
-        let number = if has_comma { cell.replace(',', ".").parse::<f64>() } else { cell.parse() };
-        let number = number.map_err(|_| no_coordinate(""))?;
+        let plain = number::plain(cell);
+        let number = if has_comma { plain.replace(',', ".").parse::<f64>() } else { plain.parse() };
+        let number = number.map_err(|_| no_coordinate(&number::obstacle(cell)))?;
         if number.is_finite() && number.abs() <= LARGEST_COORDINATE {
             Ok(number)
         } else if number.is_finite() {

@@ -5,6 +5,9 @@ use super::CurveFileError;
 /// The text, and a sentence where it was not UTF-8. Names in Latin-1 (Windows-1252 but for its punctuation) and the UTF-16 of
 /// spreadsheets are read.
 pub(super) fn decode(bytes: &[u8]) -> Result<(String, Option<String>), CurveFileError> {
+    if bytes.starts_with(&[0xFF, 0xFE, 0, 0]) || bytes.starts_with(&[0, 0, 0xFE, 0xFF]) {
+        return Err(CurveFileError::File("is text in UTF-32: save it as text in UTF-8".into()));
+    }
     let wide = match bytes {
         [0xFF, 0xFE, rest @ ..] => Some((rest, u16::from_le_bytes as fn([u8; 2]) -> u16)),
         [0xFE, 0xFF, rest @ ..] => Some((rest, u16::from_be_bytes as fn([u8; 2]) -> u16)),

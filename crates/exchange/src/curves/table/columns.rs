@@ -1,5 +1,6 @@
 //! What the columns of a table mean.
 
+use super::number::is_number;
 use super::row::{Row, Separator};
 use crate::LengthUnit;
 use crate::curves::{CurveFileError, limits};
@@ -232,7 +233,11 @@ impl Columns {
                     format!(
                         "a row is a side and three coordinates, as in u0,1.5,0,2, or x,y,z; here {}: write a heading such as \
                          side,x,y,z above the columns",
-                        if count == 1 { "is 1 cell".into() } else { format!("are {count} cells") }
+                        if count == 1 {
+                            "is 1 cell (tabs, semicolons, bars (|), commas or blanks separate cells)".into()
+                        } else {
+                            format!("are {count} cells")
+                        }
                     ),
                 ));
             }
@@ -253,7 +258,7 @@ impl Columns {
             match separator {
                 Separator::Blanks => ": names with blanks need quotes",
                 Separator::Comma => ": names with commas need quotes, decimals a point",
-                Separator::Tab | Separator::Semicolon => "",
+                Separator::Tab | Separator::Semicolon | Separator::Bar => "",
             }
         };
         CurveFileError::at(
@@ -281,8 +286,4 @@ fn survey(cell: &str) -> Option<usize> {
 /// Whether a heading names degrees on the globe.
 fn is_of_the_globe(cell: &str) -> bool {
     ["lat", "lon", "lng", "latitude", "longitude"].contains(&cell.trim().to_lowercase().as_str())
-}
-
-fn is_number(cell: &str) -> bool {
-    cell.replacen(',', ".", 1).parse::<f64>().is_ok()
 }

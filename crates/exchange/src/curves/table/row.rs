@@ -1,5 +1,6 @@
 //! Rows of a table and their separator.
 
+use super::number::{is_number, plain};
 use crate::curves::text;
 
 /// What stands between the cells of all rows.
@@ -7,6 +8,7 @@ use crate::curves::text;
 pub(super) enum Separator {
     Tab,
     Semicolon,
+    Bar,
     Comma,
     Blanks,
 }
@@ -24,14 +26,14 @@ pub(super) struct Row<'a> {
 const LOOKED_AT: usize = 60;
 
 impl Separator {
-    const ALL: [Self; 4] = [Self::Tab, Self::Semicolon, Self::Comma, Self::Blanks];
+    const ALL: [Self; 5] = [Self::Tab, Self::Semicolon, Self::Bar, Self::Comma, Self::Blanks];
 
     /// The one that makes most of the first rows out of numbers.
     pub(super) fn of(text: &str) -> Self {
         let lines: Vec<&str> = content(text).take(LOOKED_AT).map(|(_, _, line)| line).collect();
         let score = |separator: Self| lines.iter().filter(|line| separator.fits(line)).count();
         let present = |separator: Self| lines.first().is_some_and(|line| cells(line, separator).len() > 1);
-        // The first of equals: tabs and semicolons separate on purpose, commas may stand in numbers, blanks anywhere.
+        // The first of equals: tabs, semicolons and bars separate on purpose, commas may stand in numbers, blanks anywhere.
         let best = Self::ALL.into_iter().map(score).max().unwrap_or(0);
         let chosen = Self::ALL
             .into_iter()
@@ -42,9 +44,9 @@ impl Separator {
     /// Whether two or more cells of a line are numbers and none is several.
     fn fits(self, line: &str) -> bool {
         let cells = cells(line, self);
-        let is_number = |cell: &str| {
-            cell.parse::<f64>().is_ok()
-                || (self != Self::Comma && cell.replacen(',', ".", 1).parse::<f64>().is_ok())
+        let is_number = |cell: &str| match self {
+            Self::Comma => plain(cell).parse::<f64>().is_ok(),
+            Self::Tab | Self::Semicolon | Self::Bar | Self::Blanks => is_number(cell),
         };
         let is_several = |cell: &str| {
             let mut parts = cell.split_whitespace();
@@ -57,6 +59,7 @@ impl Separator {
         match self {
             Self::Tab => "tabs",
             Self::Semicolon => "semicolons",
+            Self::Bar => "bars (|)",
             Self::Comma => "commas",
             Self::Blanks => "blanks",
         }
@@ -66,6 +69,7 @@ impl Separator {
         match self {
             Self::Tab => c == '\t',
             Self::Semicolon => c == ';',
+            Self::Bar => c == '|',
             Self::Comma => c == ',',
             Self::Blanks => c == ' ' || c == '\t',
         }
@@ -96,13 +100,21 @@ fn content(text: &str) -> impl Iterator<Item = (usize, usize, &str)> {
             is_blank = true;
             return None;
         }
-        // Excel's own way to say what separates.
-        if line.starts_with('#') || (number == 1 && line.to_ascii_lowercase().starts_with("sep=")) {
+        // Excel's own way to say what separates, and the rule below a heading between bars.
+        if line.starts_with('#')
+            || is_rule(line)
+            || (number == 1 && line.to_ascii_lowercase().starts_with("sep="))
+        {
             return None;
         }
         block += usize::from(std::mem::take(&mut is_blank));
         Some((number, block, line))
     })
+}
+
+/// Whether a line is nothing but bars and dashes: `|---|---|`.
+fn is_rule(line: &str) -> bool {
+    line.contains('|') && line.contains("--") && line.chars().all(|c| "|-:+ ".contains(c))
 }
 
 /// The cells of a line. Quotes keep what stands between them together, doubled ones are one. Empty cells at the end, which
@@ -136,6 +148,10 @@ fn cells(line: &str, separator: Separator) -> Vec<String> {
         }
     }
     cells.push(cell.trim().to_owned());
+    // Bars may frame a line.
+    if separator == Separator::Bar && cells.len() > 1 && cells[0].is_empty() {
+        cells.remove(0);
+    }
     while cells.len() > 1 && cells.last().is_some_and(String::is_empty) {
         cells.pop();
     }
@@ -145,8 +161,9 @@ fn cells(line: &str, separator: Separator) -> Vec<String> {
 impl Row<'_> {
     /// Whether it names columns: no cell but the first is a number.
     pub(super) fn is_heading(&self) -> bool {
-        let is_number = |cell: &String| cell.replacen(',', ".", 1).parse::<f64>().is_ok();
         // `nan` and `inf` are numbers to a parser, and no names of columns.
-        self.cells.len() > 1 && !self.cells.iter().skip(1).any(is_number) && !is_number(&self.cells[0])
+        self.cells.len() > 1
+            && !self.cells.iter().skip(1).any(|cell| is_number(cell))
+            && !is_number(&self.cells[0])
     }
 }
