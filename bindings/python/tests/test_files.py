@@ -96,7 +96,7 @@ def test_a_unit_that_is_known_goes_into_the_files(tmp_path: Path) -> None:
         assert "CONVERSION_BASED_UNIT('INCH'" in (tmp_path / "x.step").read_text()
         surface.save(tmp_path / "y.glb", unit="m")
         assert b'"scale"' not in (tmp_path / "y.glb").read_bytes()
-    with pytest.raises(pp.FormatError, match="'parsec' is no unit of length; give one of mm, cm"):
+    with pytest.raises(pp.FormatError, match='"parsec" is no unit of length; give one of mm, cm'):
         film.save(tmp_path / "x.step", unit="parsec")
 
 
