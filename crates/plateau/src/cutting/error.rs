@@ -32,7 +32,7 @@ pub enum CuttingError {
     },
     /// A boundary smaller than what is offered.
     #[error(
-        "the boundary is {size:e} across; it must be at least {MIN_SIZE:e}: choose a larger unit of length"
+        "the boundary is {size:e} across; it must be at least {MIN_SIZE:e}: choose a smaller unit of length"
     )]
     TooSmall {
         /// Its size (a length).
