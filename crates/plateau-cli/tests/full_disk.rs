@@ -211,14 +211,17 @@ fn a_checkpoint_that_cannot_be_written_is_a_warning() {
 fn what_killed_runs_left_is_removed() {
     let folder = folder();
     fs::create_dir_all(folder.path().join("out/a")).unwrap();
-    let (stale, held) = (folder.path().join("out/a/.plateau-1"), folder.path().join("out/a/.plateau-2"));
-    fs::write(&stale, "half of a res").unwrap();
-    fs::write(&held, "half of a res").unwrap();
+    let (stale, held) =
+        (folder.path().join("out/a/.plateau-ORQySU"), folder.path().join("out/a/.plateau-2bCd3E"));
+    let foreign = folder.path().join("out/a/.plateau-notes-2026");
+    for file in [&stale, &held, &foreign] {
+        fs::write(file, "half of a res").unwrap();
+    }
     // Another program still writes this one.
     let writer = fs::File::open(&held).unwrap();
     writer.lock().unwrap();
     assert!(plateau(folder.path()).output().unwrap().status.success());
-    assert!(!stale.exists() && held.exists());
+    assert!(!stale.exists() && held.exists() && foreign.exists());
 }
 
 #[test]

@@ -1,11 +1,15 @@
 //! Files that are either whole or not there.
 
+use std::ffi::OsStr;
 use std::fs::{self, File, Metadata, TryLockError};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
 
 /// How the names of files begin that are not whole yet.
 const UNFINISHED: &str = ".plateau-";
+
+/// How many letters and digits follow that, drawn at random.
+const DRAWN: usize = 6;
 
 /// Writes `path` by way of a temporary file in the same folder: whoever looks finds the old file or the new one,
 /// whole, also after a crash. Missing folders are made. A file that is replaced passes its permissions on.
@@ -68,7 +72,7 @@ fn clean(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let path = entry.path();
-        if entry.file_name().to_string_lossy().starts_with(UNFINISHED) && regular(&path).is_some() {
+        if is_unfinished(&entry.file_name()) && regular(&path).is_some() {
             // A writer that lives holds the lock; a file that stays is harmless.
             if let Ok(file) = File::open(&path)
                 && file.try_lock().is_ok()
@@ -81,9 +85,15 @@ fn clean(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
+/// Whether [`unfinished`] can have given a file this name.
+fn is_unfinished(name: &OsStr) -> bool {
+    let drawn = name.to_str().and_then(|name| name.strip_prefix(UNFINISHED));
+    drawn.is_some_and(|drawn| drawn.len() == DRAWN && drawn.bytes().all(|byte| byte.is_ascii_alphanumeric()))
+}
+
 fn unfinished(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(UNFINISHED);
+    builder.prefix(UNFINISHED).rand_bytes(DRAWN);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -135,6 +145,31 @@ mod tests {
             done.store(true, Relaxed);
             assert!(written.is_ok(), "{written:?}");
         });
+    }
+
+    #[test]
+    fn cleaning_takes_what_killed_writers_left_and_no_other_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        let of_others = [
+            ".plateau-notes-2026",
+            ".plateau-mine.tex",
+            ".plateau-a.b.cd",
+            ".plateau-1",
+            ".plateau-",
+            ".plateau-été1",
+            "x.plateau-ORQySU",
+            ".Plateau-ORQySU",
+        ];
+        for name in of_others {
+            fs::write(at(name), "mine").unwrap();
+        }
+        fs::create_dir(at(".plateau-folder")).unwrap();
+        // As a writer leaves it that is killed: never renamed, never removed.
+        let left = unfinished(folder.path()).unwrap().into_temp_path().keep().unwrap();
+        clean(folder.path()).unwrap();
+        assert!(!left.exists(), "{}", left.display());
+        assert!(of_others.iter().all(|name| at(name).exists()) && at(".plateau-folder").is_dir());
     }
 
     #[test]
