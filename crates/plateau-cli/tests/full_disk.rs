@@ -286,3 +286,51 @@ fn results_are_as_readable_as_the_user_wants_his_files() {
         assert_eq!(metadata.permissions().mode() & 0o777, mode, "umask {mask}");
     }
 }
+
+#[test]
+fn a_file_that_cannot_be_written_keeps_no_other_back() {
+    let folder = folder();
+    let path = folder.path().join("a.toml");
+    fs::write(&path, QUICK.to_owned() + "[output]\nformats = [\"obj\", \"stl\"]\n").unwrap();
+    let run = || shell(folder.path(), "\"$0\" run a.toml");
+    let a = folder.path().join("out/a");
+    assert!(run().status.success());
+    let names = || -> Vec<String> {
+        let mut names: Vec<_> = fs::read_dir(&a)
+            .unwrap()
+            .map(|file| file.unwrap())
+            .filter(|file| file.file_type().unwrap().is_file())
+            .map(|file| file.file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    };
+    let all = names();
+    let taken = ["dirichlet.obj", "surfaces.svg", "report.html"];
+    assert!(taken.iter().all(|name| all.iter().any(|other| other == name)), "{all:?}");
+    // Anew, and where the files of a result were there before.
+    for before in [false, true] {
+        fs::remove_dir_all(&a).unwrap();
+        if before {
+            assert!(run().status.success());
+        }
+        for name in taken {
+            let _ = fs::remove_file(a.join(name));
+            fs::create_dir_all(a.join(name).join("mine")).unwrap();
+        }
+        let output = run();
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert_eq!(said.lines().count(), taken.len(), "{said}");
+        for (line, name) in said.lines().zip(taken) {
+            assert!(line.starts_with(&format!("error: out/a/{name}: ")), "{said}");
+        }
+        let others: Vec<_> = all.iter().filter(|name| !taken.contains(&name.as_str())).cloned().collect();
+        assert_eq!(names(), others);
+        assert!(!text(&output.stdout).contains("cannot be removed"), "{output:?}");
+        let record = fs::read(a.join("result.json")).unwrap();
+        let record: serde_json::Value = serde_json::from_slice(&record).unwrap();
+        assert_eq!(record["unwritten"], serde_json::json!(taken));
+        assert!(taken.iter().all(|name| a.join(name).join("mine").is_dir()));
+    }
+}

@@ -31,7 +31,7 @@ pub struct Delivered {
     pub record: ResultFile,
     /// What a reader must know about the files: how far fitted surfaces lie from their patches.
     pub notes: Vec<String>,
-    /// Files that were asked for and could not hold their surface; all others are there.
+    /// Files that were asked for and could not hold their surface or be written; all others are there.
     pub refusals: Vec<ExportError>,
 }
 
@@ -53,10 +53,11 @@ pub fn prepare(plan: &Plan, out: &Path) -> Result<Claim, DeliverError> {
 
 /// Writes `out/<stem>/result.json` and the files the plan asks for, each whole or not at all; `result.json` last, so that
 /// a folder that has it is complete. Files that were written with the result before it and are not among those of this one are
-/// then removed: they show what is no more. Nothing else in the folder is touched.
+/// then removed: they show what is no more. Nothing else in the folder is touched. A file that cannot be written keeps none of
+/// the others back: it is among the refusals, and `unwritten` in the record names it.
 ///
 /// # Errors
-/// [`DeliverError`] names the file; what was there before is untouched.
+/// [`DeliverError`], if `result.json` cannot be written.
 pub fn deliver(plan: &Plan, finished: &Finished, out: &Path) -> Result<Delivered, DeliverError> {
     deliver_watched(plan, finished, out, &())
 }
@@ -76,16 +77,12 @@ pub fn deliver_watched(
     let record = ResultFile::new(plan, finished);
     let mut delivery =
         Delivery { plan, finished, folder, progress, record, notes: Vec::new(), refusals: Vec::new() };
-    // What was computed is kept even where another file cannot be written.
-    let files = delivery.surfaces().and_then(|()| delivery.others());
-    if let Err(DeliverError { path, .. }) = &files {
-        delivery.record.add_unwritten(&path.file_name().unwrap_or_default().to_string_lossy());
-    }
+    delivery.surfaces();
+    delivery.others();
     let json = |out: &mut dyn io::Write| -> io::Result<()> {
         out.write_all(delivery.record.to_json().map_err(io::Error::other)?.as_bytes())
     };
     delivery.write(RESULT_FILE, &json)?;
-    files?;
     delivery.remove_earlier(&before);
     let Delivery { folder, record, notes, refusals, .. } = delivery;
     Ok(Delivered { folder, record, notes, refusals })
@@ -113,40 +110,40 @@ impl Delivery<'_> {
     }
 
     /// Writes a file that belongs to no method and lists it, if time is left.
-    fn keep(&mut self, name: &str, fill: Fill<'_>) -> Result<(), DeliverError> {
+    fn keep(&mut self, name: &str, fill: Fill<'_>) {
         if self.progress.cancelled() {
             self.record.add_unwritten(name);
-        } else {
-            self.write(name, fill)?;
-            self.record.add_file(None, name.to_owned(), None);
+            return;
         }
-        Ok(())
+        match self.write(name, fill) {
+            Ok(()) => self.record.add_file(None, name.to_owned(), None),
+            Err(error) => self.refuse(name, error.into()),
+        }
+    }
+
+    /// Lists a file that was asked for and is not there, and why.
+    fn refuse(&mut self, file: &str, why: ExportError) {
+        self.record.add_unwritten(file);
+        self.refusals.push(why);
     }
 
     /// Every surface in every format that was asked for.
-    fn surfaces(&mut self) -> Result<(), DeliverError> {
+    fn surfaces(&mut self) {
         let methods = self.finished.results.methods();
         let names = file_names(methods.iter().map(|method| method.name.as_str()));
         for (k, (method, name)) in methods.iter().zip(&names).enumerate() {
             let Ok(done) = &method.outcome else { continue };
             for &format in &self.plan.output.formats {
-                self.surface(k, (&method.name, done), surface_file(name, format), format)?;
+                self.surface(k, (&method.name, done), surface_file(name, format), format);
             }
         }
-        Ok(())
     }
 
-    /// The surface of method `k` as `file`; a surface that the format cannot hold is a refusal.
-    fn surface(
-        &mut self,
-        k: usize,
-        (name, done): (&str, &Done),
-        file: String,
-        format: Format,
-    ) -> Result<(), DeliverError> {
+    /// The surface of method `k` as `file`, if time is left.
+    fn surface(&mut self, k: usize, (name, done): (&str, &Done), file: String, format: Format) {
         if self.progress.cancelled() {
             self.record.add_unwritten(&file);
-            return Ok(());
+            return;
         }
         let (surface, family) = (done.solved.surface(), done.solved.family());
         let named = Named { name, surface, family, mesh: &done.mesh };
@@ -162,23 +159,15 @@ impl Delivery<'_> {
                 }
                 self.record.add_file(Some(k), file, form);
             }
-            Err(ExportError::Failed(error)) => return Err(error),
-            Err(refusal) => {
-                self.record.add_unwritten(&file);
-                self.refusals.push(refusal);
-            }
+            Err(why) => self.refuse(&file, why),
         }
-        Ok(())
     }
 
     /// The files of the experiment as a whole: the samples of a curve, the deformation, pictures and page.
-    fn others(&mut self) -> Result<(), DeliverError> {
+    fn others(&mut self) {
         let finished = self.finished;
-        let mut listed: Vec<String> =
-            std::iter::once(RESULT_FILE).chain(self.record.files()).map(str::to_owned).collect();
         if !finished.results.curves().is_empty() {
-            self.keep(CURVE_FILE, &|out| write_curves(finished.results.curves(), out))?;
-            listed.push(CURVE_FILE.to_owned());
+            self.keep(CURVE_FILE, &|out| write_curves(finished.results.curves(), out));
         }
         if self.plan.output.formats.contains(&Format::Glb)
             && let Some((helicoid, catenoid, weights)) = deformation(finished)
@@ -186,29 +175,28 @@ impl Delivery<'_> {
             let (title, unit) = (finished.results.title(), self.plan.output.step.unit);
             self.keep(DEFORMATION_FILE, &|out| {
                 write_deformation(title, helicoid, catenoid, &weights, unit, out)
-            })?;
-            listed.push(DEFORMATION_FILE.to_owned());
+            });
         }
         match self.plan.output.pictures {
             true if self.progress.cancelled() => self.record.add_unwritten(REPORT_FILE),
-            true => self.pictures(listed)?,
+            true => self.pictures(),
             false => {}
         }
-        Ok(())
     }
 
-    /// The pictures and the page, which links the files `listed`.
-    fn pictures(&mut self, listed: Vec<String>) -> Result<(), DeliverError> {
+    /// The pictures and the page, which holds them and links all other files.
+    fn pictures(&mut self) {
+        let listed = std::iter::once(RESULT_FILE).chain(self.record.files()).map(str::to_owned).collect();
         let results = &self.finished.results;
         let scene = Scene::of(results);
         let pictures = pictures(results, scene.as_ref());
         for picture in &pictures {
-            self.keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()))?;
+            self.keep(&picture_file(picture.name), &|out| out.write_all(picture.svg.as_bytes()));
         }
         let manifest = Manifest::of(self.plan, self.finished);
         let about = about(self.plan, self.finished, &manifest, (Source::Experiment(&manifest.file), listed));
         let report = page(results, &about, scene.as_ref(), &pictures);
-        self.keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()))
+        self.keep(REPORT_FILE, &|out| out.write_all(report.as_bytes()));
     }
 
     /// Removes the files `before` that are not among those of this result.
@@ -216,7 +204,10 @@ impl Delivery<'_> {
         // A disk that does not tell capitals apart has them under either name.
         let now: HashSet<String> = self.record.files().map(caseless).collect();
         for name in before.iter().filter(|name| !now.contains(&caseless(name))) {
-            if let Err(error) = fs::remove_file(self.folder.join(name))
+            let path = self.folder.join(name);
+            // A folder in its place is of others.
+            if !path.is_dir()
+                && let Err(error) = fs::remove_file(path)
                 && error.kind() != io::ErrorKind::NotFound
             {
                 self.notes.push(format!("{name} is of an earlier result and cannot be removed: {error}"));

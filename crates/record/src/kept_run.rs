@@ -10,7 +10,7 @@ use plateau::{MethodError, Progress, counted};
 use thiserror::Error;
 
 use crate::{
-    Checkpoint, CheckpointError, DeliverError, Delivered, Earlier, Manifest, deliver_watched, earlier,
+    Checkpoint, CheckpointError, DeliverError, Delivered, Earlier, ExportError, Manifest, deliver_watched, earlier,
     folder, prepare,
 };
 
@@ -234,7 +234,12 @@ fn written(
                 flush(checkpoint, listener);
                 return Kept::Interrupted(Interruption::Writing(delivered.folder, missing));
             }
-            forget(checkpoint, listener);
+            if delivered.refusals.iter().any(|why| matches!(why, ExportError::Failed(_))) {
+                // Nor for those that another attempt may write.
+                flush(checkpoint, listener);
+            } else {
+                forget(checkpoint, listener);
+            }
             Kept::Done(Box::new((finished, delivered)))
         }
         Err(error) => {
