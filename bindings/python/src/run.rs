@@ -6,7 +6,7 @@ use std::sync::Arc;
 use experiment::{Finished, Options, Plan};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
-use record::ResultFile;
+use record::{ExportError, ResultFile};
 
 use crate::errors::{MethodError, of_method, of_refusal};
 use crate::surface::Surface;
@@ -83,6 +83,10 @@ impl Run {
             record::deliver_watched(&plan, &finished, &out, progress)
         })?;
         let delivered = delivered.map_err(|error| PyOSError::new_err(error.to_string()))?;
+        let failed = |why: &&ExportError| matches!(why, ExportError::Failed(_));
+        if let Some(error) = delivered.refusals.iter().find(failed) {
+            return Err(PyOSError::new_err(error.to_string()));
+        }
         let refusals = delivered.refusals.iter().map(ToString::to_string);
         Ok((delivered.folder, delivered.notes.into_iter().chain(refusals).collect()))
     }

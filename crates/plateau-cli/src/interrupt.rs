@@ -4,6 +4,9 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+#[cfg(unix)]
+use nix::sys::signal::Signal;
+
 use crate::terminal::say;
 
 /// Signals within this time are one wish to end: a terminal that is closed sends several.
@@ -12,18 +15,18 @@ const ONE_WISH: Duration = Duration::from_millis(500);
 /// Since when an end is wanted: the work at hand ends as soon as it can.
 static INTERRUPTED: OnceLock<Instant> = OnceLock::new();
 
-/// Whether a file is being read: a pipe may never end, and nothing is lost by leaving it.
-static READING: AtomicBool = AtomicBool::new(false);
+/// Whether another process is waited for: the writer or the reader of a pipe may never come, and nothing is lost by leaving it.
+static WAITING: AtomicBool = AtomicBool::new(false);
 
-/// Reads something that may take for ever: an end that is wanted meanwhile comes at once.
-pub(crate) fn reading<T>(read: impl FnOnce() -> T) -> T {
-    READING.store(true, Ordering::SeqCst);
+/// Reads or writes something that may take for ever: an end that is wanted meanwhile comes at once.
+pub(crate) fn waiting<T>(act: impl FnOnce() -> T) -> T {
+    WAITING.store(true, Ordering::SeqCst);
     if interrupted() {
         std::process::exit(130);
     }
-    let read = read();
-    READING.store(false, Ordering::SeqCst);
-    read
+    let done = act();
+    WAITING.store(false, Ordering::SeqCst);
+    done
 }
 
 /// Whether the user wants an end.
@@ -31,14 +34,22 @@ pub(crate) fn interrupted() -> bool {
     INTERRUPTED.get().is_some()
 }
 
+/// Lets a file that grows beyond the limit of `ulimit -f` be an error of writing that is told, not the end of the program. To be called before
+/// any thread is begun.
+pub(crate) fn hold_file_sizes() {
+    #[cfg(unix)]
+    hold(Signal::SIGXFSZ);
+}
+
 /// First Ctrl-C, or SIGTERM or SIGHUP: end cleanly. Second: end at once.
 pub(crate) fn listen() {
     // Whoever ignores hangups (`nohup`) goes on when the terminal is closed; the listener would hear them nevertheless.
+    #[cfg(unix)]
     if ignores_hangups() {
-        hold_hangups();
+        hold(Signal::SIGHUP);
     }
     let handler = ctrlc::set_handler(|| {
-        if INTERRUPTED.get_or_init(Instant::now).elapsed() > ONE_WISH || READING.load(Ordering::SeqCst) {
+        if INTERRUPTED.get_or_init(Instant::now).elapsed() > ONE_WISH || WAITING.load(Ordering::SeqCst) {
             std::process::exit(130);
         }
     });
@@ -48,6 +59,7 @@ pub(crate) fn listen() {
 }
 
 /// Whether the program was started to outlive its terminal, where the system says so.
+#[cfg(unix)]
 fn ignores_hangups() -> bool {
     const HANGUP: u64 = 1;
     let ignored = || {
@@ -58,16 +70,13 @@ fn ignores_hangups() -> bool {
     cfg!(target_os = "linux") && ignored().is_some_and(|ignored| ignored & HANGUP != 0)
 }
 
-/// Lets hangups reach no thread: this one has them held back, and hands that on to all that it begins.
+/// Lets a signal reach no thread: this one has it held back, and hands that on to all that it begins.
 #[cfg(unix)]
-fn hold_hangups() {
-    use nix::sys::signal::{SigSet, Signal};
-    let mut hangup = SigSet::empty();
-    hangup.add(Signal::SIGHUP);
-    if let Err(error) = hangup.thread_block() {
-        say(&format!("warning: the run will end when its terminal is closed: {error}"));
+fn hold(signal: Signal) {
+    use nix::sys::signal::SigSet;
+    let mut held = SigSet::empty();
+    held.add(signal);
+    if let Err(error) = held.thread_block() {
+        say(&format!("warning: {signal} will end the program: {error}"));
     }
 }
-
-#[cfg(not(unix))]
-fn hold_hangups() {}

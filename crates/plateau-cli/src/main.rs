@@ -33,6 +33,7 @@ mod values;
 mod verify;
 
 fn main() -> ExitCode {
+    interrupt::hold_file_sizes();
     let arguments = Arguments::try_parse().unwrap_or_else(|error| refused(error));
     let mut stdout = io::stdout().lock();
     let outcome = perform(arguments.command, &mut stdout).and_then(|()| Ok(stdout.flush()?));

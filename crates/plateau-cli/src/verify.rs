@@ -7,7 +7,7 @@ use record::{VerifyError, result_text, verify_text};
 use crate::bars::Bars;
 use crate::command::VerifyArguments;
 use crate::failure::Failure;
-use crate::interrupt::{listen, reading};
+use crate::interrupt::{listen, waiting};
 use crate::outlet::Outlet;
 use crate::terminal::{say, tell};
 use crate::threads::start_threads;
@@ -25,7 +25,7 @@ fn verified(arguments: &VerifyArguments, stdout: &mut impl Write) -> Result<(), 
     let bars = Bars::new(arguments.quiet);
     let (mut readable, mut equal) = (true, true);
     for (k, path) in arguments.results.iter().enumerate() {
-        let text = reading(|| result_text(path));
+        let text = waiting(|| result_text(path));
         match text.map_err(VerifyError::from).and_then(|text| verify_text(&text, &bars)) {
             Ok(verification) => {
                 equal &= verification.agrees();

@@ -10,8 +10,8 @@ use plateau::{MethodError, Progress, counted};
 use thiserror::Error;
 
 use crate::{
-    Checkpoint, CheckpointError, DeliverError, Delivered, Earlier, ExportError, Manifest, deliver_watched, earlier,
-    folder, prepare,
+    Checkpoint, CheckpointError, DeliverError, Delivered, Earlier, ExportError, Manifest, deliver_watched,
+    earlier, folder, prepare,
 };
 
 /// How an experiment is run, and where what comes of it is kept.
