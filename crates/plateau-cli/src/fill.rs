@@ -1,6 +1,6 @@
 //! `fill`: curves of files in, the surface of least area over them out.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use exchange::{AssemblyOptions, CurveFile, read_curves};
@@ -12,7 +12,7 @@ use crate::bars::Bars;
 use crate::command::FillArguments;
 use crate::conversion::contents;
 use crate::failure::Failure;
-use crate::interrupt::listen;
+use crate::interrupt::{listen, waiting};
 use crate::spelling::{ESTIMATE, spelled};
 use crate::terminal::{line, say};
 
@@ -24,7 +24,9 @@ use output::{Filled, Output};
 pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result<(), Failure> {
     listen();
     let outputs = arguments.out.iter().map(|path| Output::named(path, &arguments.files));
-    let outputs = outputs.collect::<Result<Vec<_>, Failure>>()?;
+    let mut outputs = outputs.collect::<Result<Vec<_>, Failure>>()?;
+    // Files first: whoever ends the wait for a reader has them.
+    outputs.sort_by_key(Output::is_stream);
     let name = names(&arguments.files);
     let files = arguments.files.iter().map(|path| curves(path)).collect::<Result<Vec<_>, Failure>>()?;
     let filling = Filling::new(files, &options(arguments))
@@ -36,10 +38,11 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     filling.notes().iter().for_each(|note| say(&format!("note: {}", note.told(&spelled))));
     let fill = method(arguments);
     let film = spanned(&filling, &fill, &name, arguments.quiet)?;
-    for (name, value) in film_figures(&film, filling.rim_source(), ESTIMATE) {
-        line(stdout, &format!("{name:<16}{value}"))?;
+    if outputs.iter().any(Output::is_stdout) {
+        figures(&film, &filling, &mut io::stderr())?;
+    } else {
+        figures(&film, &filling, stdout)?;
     }
-    stdout.flush()?;
     filling.advice(&fill, &film).iter().for_each(|note| say(&format!("note: {note}")));
     let title = title(&arguments.files[0]);
     let files = file_names(&arguments.files);
@@ -51,9 +54,17 @@ pub(crate) fn fill(arguments: &FillArguments, stdout: &mut impl Write) -> Result
     if sound { Ok(()) } else { Err(Failure::Result) }
 }
 
+/// The figures of the surface, for a person.
+fn figures(film: &Film, filling: &Filling, out: &mut impl Write) -> io::Result<()> {
+    for (name, value) in film_figures(film, filling.rim_source(), ESTIMATE) {
+        line(out, &format!("{name:<16}{value}"))?;
+    }
+    out.flush()
+}
+
 /// The curves of a file; what it says of itself is told.
 fn curves(path: &Path) -> Result<CurveFile, Failure> {
-    let read = contents(path).map_err(ImportError::from);
+    let read = waiting(|| contents(path)).map_err(ImportError::from);
     let read = read.and_then(|bytes| Ok(read_curves(&bytes, &path.to_string_lossy())?));
     let file = read.map_err(|error| Failure::of_input(path.display(), error.told(&spelled)))?;
     file.notes.iter().for_each(|note| say(&format!("note: {}", note.told(&spelled))));

@@ -17,6 +17,7 @@ mod batch;
 mod check;
 mod command;
 mod conversion;
+mod descriptors;
 mod drawing;
 mod failure;
 mod fill;

@@ -16,10 +16,12 @@ const NET: &str = "title = \"NAME\"\n[boundary]\nu0 = [[0,0,0],[2,0,2],[4,0,-2],
                    [output]\npictures = false\nformats = [\"obj\"]\n";
 
 /// Every script has the program as `$0`, `net.toml` (a plain experiment), `square.obj` (a skew quadrilateral), `polygon SCALE FAR` (an experiment
-/// over one), `await FILE` (until it is there) and `named NAME` (the plain experiment under a name).
+/// over one), `await FILE` (until it is there), `listening PID` (until it
+/// takes SIGTERM) and `named NAME` (the plain experiment under a name).
 const TOOLS: &str = r#"
 ulimit -c 0
 polygon() { printf 'title = "p"\n[boundary]\npolygon = [[%s, 0, 0], [%s, 0, %s], [%s, %s, 0], [%s, %s, %s]]\n[[method]]\nname = "m"\nenergy = "area"\n[output]\npictures = false\n' "$2" "$3" "$1" "$3" "$1" "$2" "$1" "$1"; }
+listening() { until test $((0x$(sed -n 's/SigCgt:\t//p' /proc/$1/status) & 0x4000)) != 0; do sleep 0.02; done; }
 await() { until test -e "$1"; do sleep 0.02; done; }
 named() { sed "s/NAME/$1/; s/NAME/$1/" template; }
 "#;
@@ -136,6 +138,20 @@ fn files_that_are_none_or_are_those_of_others() {
     hold(&[
         ("\"$0\" fill square.obj -o square.obj", 2, "is a file that is read"),
         ("ln square.obj hard.obj; \"$0\" fill square.obj -o hard.obj", 2, "is a file that is read"),
+        ("\"$0\" fill - -o square.obj < square.obj", 2, "is a file that is read"),
+        ("ln square.obj hard.obj; \"$0\" fill - -o hard.obj < square.obj", 2, "is a file that is read"),
+        ("\"$0\" fill /dev/stdin -o square.obj < square.obj", 2, "is a file that is read"),
+        ("\"$0\" fill - -o other.obj < square.obj && test -s other.obj", 0, "area"),
+        (
+            "ln -s /dev/stdout d.obj; \"$0\" fill square.obj -o d.obj 2> told | grep -qv '^[#ogvstnf]' ; test $? = 1 && cat told",
+            0,
+            "area",
+        ),
+        (
+            "ln -s /dev/stdout d.obj; \"$0\" fill square.obj -o d.obj > whole.obj 2> told; \"$0\" fill square.obj -o d2.obj > table; cmp <(sed s/d2/d/ d2.obj) whole.obj && grep -q area told && cat table",
+            0,
+            "area",
+        ),
         (
             "touch a.step; chmod 600 a.step; \"$0\" fill square.obj -o a.step && stat -c mode=%a a.step",
             0,
@@ -174,6 +190,18 @@ fn files_that_are_none_or_are_those_of_others() {
             "result.json",
         ),
         ("mkfifo p; \"$0\" verify p & exec 3> p; kill -TERM $!; wait $!", 130, ""),
+        ("mkfifo p; \"$0\" fill p -o a.step & exec 3> p; kill -TERM $!; wait $!", 130, ""),
+        ("mkfifo p; \"$0\" fill p -o a.step & listening $!; kill -TERM $!; wait $!", 130, ""),
+        (
+            "mkfifo p.step; \"$0\" fill square.obj -o p.step -o b.obj & await b.obj; sleep 0.3; kill -TERM $!; wait $!; s=$?; test -s b.obj && exit $s",
+            130,
+            "area",
+        ),
+        (
+            "mkfifo p.step; cat p.step > got & \"$0\" fill square.obj -o p.step && wait && cat got",
+            0,
+            "ISO-10303-21",
+        ),
         (
             "\"$0\" run net.toml > done; mkfifo p; \"$0\" verify out/net/result.json p & exec 3> p; kill -TERM $!; wait $!",
             130,

@@ -78,6 +78,20 @@ impl Destination {
         }
     }
 
+    /// Whether writing here would replace the file that is open as `input`, where the system says which file that is.
+    pub fn replaces_open(&self, input: &File) -> bool {
+        matches!(self.kind, Kind::File(_)) && self.is_open_as(input)
+    }
+
+    /// Whether what is open as `file` stands here, under whatever name, where the system says so.
+    pub fn is_open_as(&self, file: &File) -> bool {
+        let (Kind::File(path) | Kind::Stream(path)) = &self.kind;
+        match (fs::metadata(path), file.metadata()) {
+            (Ok(here), Ok(open)) => is_same_open(&here, &open),
+            (Ok(_) | Err(_), Ok(_) | Err(_)) => false,
+        }
+    }
+
     /// Writes what `fill` writes: a file whole or not at all, a stream as it comes.
     ///
     /// # Errors
@@ -104,8 +118,18 @@ fn lists_open_files(folder: &Path) -> bool {
 
 #[cfg(unix)]
 fn is_same((_, a): (&Path, &Metadata), (_, b): (&Path, &Metadata)) -> bool {
+    is_same_open(a, b)
+}
+
+#[cfg(unix)]
+fn is_same_open(a: &Metadata, b: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
     (a.dev(), a.ino()) == (b.dev(), b.ino())
+}
+
+#[cfg(not(unix))]
+fn is_same_open(_: &Metadata, _: &Metadata) -> bool {
+    false
 }
 
 #[cfg(not(unix))]

@@ -7,7 +7,9 @@ use experiment::{Filling, Options, Plan};
 use plateau::{Fill, Film};
 use record::{Destination, ExportError, ResultFile};
 
+use crate::descriptors::{stdin, stdout};
 use crate::failure::Failure;
+use crate::interrupt::waiting;
 use crate::terminal::say;
 
 /// A surface with how it came about.
@@ -59,26 +61,37 @@ impl Output {
             }
         };
         let to = Destination::named(path).map_err(|error| refused(format!("cannot be written: {error}")))?;
-        match inputs.iter().find(|input| to.replaces(input)) {
-            Some(_) => {
-                Err(refused("is a file that is read, and would be replaced: give -o another name".into()))
-            }
-            None => Ok(Self { wanted, to }),
+        if inputs.iter().any(|input| is_replaced(input, &to)) {
+            return Err(refused(
+                "is a file that is read, and would be replaced: give -o another name".into(),
+            ));
         }
+        Ok(Self { wanted, to })
+    }
+
+    /// Whether it is written to a reader at once, for whom it may wait.
+    pub(super) fn is_stream(&self) -> bool {
+        self.to.is_stream()
+    }
+
+    /// Whether it is written to stdout, by whatever name.
+    pub(super) fn is_stdout(&self) -> bool {
+        stdout().is_some_and(|stdout| self.to.is_open_as(&stdout))
     }
 
     /// Writes the file and says so, or why not; whether it is written.
     pub(super) fn written(&self, filled: &Filled<'_>, name: &str) -> Result<bool, Failure> {
         let Self { wanted, to } = self;
-        let text =
-            |text: String| record::write_text(&text, to).map(|()| Vec::new()).map_err(ExportError::from);
+        let text = |text: String| {
+            placed(to, || record::write_text(&text, to)).map(|()| Vec::new()).map_err(ExportError::from)
+        };
         let experiment = || filled.filling.experiment(filled.title, filled.fill);
         let experiment = || experiment().map_err(|error| Failure::of_input(name, error));
         let written = match wanted {
             Wanted::Surface(format) => {
                 let surface = (filled.film.complex(), &filled.film.mesh.mesh);
                 let unit = filled.filling.unit();
-                let form = record::export_complex(*format, filled.title, surface, unit, to);
+                let form = placed(to, || record::export_complex(*format, filled.title, surface, unit, to));
                 let told = |form: Option<SurfaceForm>| form.map(|form| form.description).into_iter();
                 form.map(|form| told(form).chain(said(format.lengths(), unit)).collect::<Vec<_>>())
             }
@@ -97,6 +110,20 @@ impl Output {
         }
         Ok(true)
     }
+}
+
+/// Whether writing to a place would replace an input, which is stdin if it is `-`.
+fn is_replaced(input: &Path, to: &Destination) -> bool {
+    if input == Path::new("-") {
+        stdin().is_some_and(|stdin| to.replaces_open(&stdin))
+    } else {
+        to.replaces(input)
+    }
+}
+
+/// Writes to a place; a reader may never come, or stop reading.
+fn placed<T>(to: &Destination, write: impl FnOnce() -> T) -> T {
+    if to.is_stream() { waiting(write) } else { write() }
 }
 
 /// What a program that reads the file takes its numbers for, where that is not left open.
