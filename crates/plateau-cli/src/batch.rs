@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use experiment::{Finished, Options, Plan, Source};
 use record::{Earlier, Keeping, Kept, Listener, Loss, Remark, folder, run_and_keep};
-use show::table;
+use show::{Printable, table};
 use sweep::Shard;
 
 use crate::bars::Bars;
@@ -151,7 +151,7 @@ fn repeat(
     if arguments.json {
         write!(stdout, "{}", earlier.json)?;
     } else {
-        line(stdout, &plan.title)?;
+        writeln!(stdout, "{}", Printable(&plan.title).cut(Printable::TITLE))?;
         let folder = folder(plan, &arguments.out);
         line(stdout, &format!("not run again: its result is in {}", folder.display()))?;
     }

@@ -112,6 +112,11 @@ fn names_that_turn_vanish_forge_or_belong_to_a_system() {
         ("named 'a\u{200b}b\u{ad}c' > n.toml; \"$0\" run n.toml", 0, "a\\u200bb\\u00adc"),
         ("named 'a\u{e0041}b' > n.toml; \"$0\" run n.toml", 0, "a\\ue0041b"),
         ("named 'a\u{2028}b\\\\u009b31mc' > n.toml; \"$0\" run n.toml", 0, "a\\u2028b\\u009b31mc"),
+        (
+            "(printf 's/NAME/'; printf '\\360\\237\\221\\251\\342\\200\\215%.0s' $(seq 60000); echo /) > joined; sed -f joined template > n.toml; ulimit -t 60; \"$0\" run n.toml > told && test $(wc -c < told) -lt 3000 && cat told",
+            0,
+            "…",
+        ),
         ("named 'LPT\u{b9}' > n.toml; \"$0\" run n.toml && ls out/n", 0, "method-lpt"),
         ("named '$(touch forged)' > n.toml; \"$0\" run n.toml && ls", 0, "n.toml net.toml"),
         (

@@ -26,15 +26,24 @@ impl Printable<'_> {
     /// Most columns of a name in a table: one long name must not push all others apart.
     pub const NAME: usize = 44;
 
-    /// The text in at most `most` ≥ 1 columns of a terminal; what is cut off is an ellipsis.
+    /// Most columns of a title.
+    pub const TITLE: usize = 240;
+
+    /// The text in at most `most` ≥ 1 columns of a terminal; what is cut off is an ellipsis. Marks and joined emoji beyond
+    /// those of any script are cut off, too, though they take no column: what is shown, and the time that it takes, do not
+    /// grow with the text.
     pub fn cut(self, most: usize) -> String {
         let mut shown = String::new();
+        let (mut width, mut piled) = (0, 0);
         for (at, c) in self.0.char_indices() {
             let before = shown.len();
             // Writing to a string does not fail.
             let _ = write_char(&mut shown, c);
             let rest = usize::from(at + c.len_utf8() < self.0.len());
-            if columns(&shown) + rest > most {
+            let wider = columns(&shown);
+            piled = if wider > width { 0 } else { piled + 1 };
+            width = wider;
+            if width + rest > most || piled > PILED {
                 shown.truncate(before);
                 while columns(&shown) >= most {
                     shown.pop();
@@ -52,6 +61,9 @@ impl Printable<'_> {
         shown + &blanks
     }
 }
+
+/// Most characters in a row that take no column of their own: an emoji of two people has nine.
+const PILED: usize = 16;
 
 /// The columns that a list of names takes, [`Printable::NAME`] at most.
 pub fn width_of_names<'a>(names: impl IntoIterator<Item = &'a str>) -> usize {
@@ -149,6 +161,20 @@ mod tests {
         for most in 1..12 {
             assert!(columns(&Printable("a最\u{1b}b\nc小d").cut(most)) <= most, "{most}");
         }
+    }
+
+    #[test]
+    fn what_piles_up_in_one_column_is_cut() {
+        let couple = "👩🏽‍❤️‍💋‍👨🏽";
+        assert_eq!(Printable(&couple.repeat(3)).cut(44), couple.repeat(3));
+        for pile in ["a".to_owned() + &"\u{301}".repeat(3000), "👩\u{200d}".repeat(60_000)] {
+            let shown = Printable(&pile).cut(Printable::NAME);
+            assert!(shown.ends_with('…') && shown.chars().count() < 40, "{shown}");
+        }
+        // However it is mixed, no more than so many are shown for each column.
+        let mixed = ("x".to_owned() + &"\u{301}".repeat(PILED)).repeat(5000);
+        let shown = Printable(&mixed).cut(Printable::TITLE);
+        assert_eq!((columns(&shown), shown.chars().count()), (240, 239 * (PILED + 1) + 1));
     }
 
     #[test]

@@ -34,7 +34,7 @@ pub(crate) fn table(merged: &Merged, room: usize) -> String {
     {
         columns.pop();
     }
-    let mut text = format!("{}\n\n", Printable(&merged.outline.title));
+    let mut text = format!("{}\n\n", Printable(&merged.outline.title).cut(Printable::TITLE));
     let mut line = |cell: &dyn Fn(&Column) -> String| {
         let fitted = columns.iter().map(|column| column.fitted(&cell(column)));
         text += fitted.collect::<Vec<_>>().join("   ").trim_end();

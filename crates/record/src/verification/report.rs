@@ -42,7 +42,8 @@ impl Verification {
     /// below it.
     #[must_use]
     pub fn report(&self, result: &Path) -> String {
-        let mut lines = vec![format!("{}: {}", result.display(), self.title), self.level.sentence()];
+        let title = Printable(&self.title).cut(Printable::TITLE);
+        let mut lines = vec![format!("{}: {}", result.display(), title), self.level.sentence()];
         let width = width_of_names(self.entries.iter().map(|entry| entry.name.as_str()));
         for entry in &self.entries {
             entry.tell(&self.level, width, &mut lines);

@@ -23,7 +23,7 @@ pub const WIDTH: usize = 80;
 /// these to the first: area, what was minimised, the excess over the least area, the error of the area, Dirichlet energy, D^g,
 /// boundary, rim, kink, shape, (D − A)/A, max |H|, bound of D. A line says which.
 pub fn table(results: &Results, room: usize) -> String {
-    let mut text = format!("{}\n\n", Printable(results.title()));
+    let mut text = format!("{}\n\n", Printable(results.title()).cut(Printable::TITLE));
     match results.curves() {
         [first, rest @ ..] => {
             text += &grid(&summary(results.curves()), room).0;
