@@ -316,11 +316,19 @@ fn a_forged_run_with_the_right_hash_is_run_again() {
     let (out, undisturbed) = (folder.path().join("out"), folder.path().join("undisturbed"));
     assert!(plateau(&files, &undisturbed, &[]).output().unwrap().status.success());
     let options = Options::default();
-    let forge: [(&str, Forge); 5] = [
+    let forge: [(&str, Forge); 11] = [
         ("value", |run| run["polish"]["value"] = 0.into()),
         ("shape", |run| run["polish"]["point"][1] = 1.25_f64.to_bits().into()),
         ("history", |run| run["swarm"]["history"][3] = 1e9_f64.to_bits().into()),
         ("seed", |run| run["seed"] = 8.into()),
+        ("evaluations", |run| run["swarm"]["evaluations"] = 0.into()),
+        ("no history", |run| run["swarm"]["history"] = serde_json::json!([])),
+        ("short history", |run| {
+            run["swarm"]["history"].as_array_mut().unwrap().pop();
+        }),
+        ("reason", |run| run["swarm"]["reason"] = "stagnation".into()),
+        ("descent on budget", |run| run["polish"]["reason"] = "budget".into()),
+        ("descents' evaluations", |run| run["polish"]["evaluations"] = 0.into()),
         ("length", |run| {
             run["polish"]["point"].as_array_mut().unwrap().pop();
             run["polish"]["gradient"].as_array_mut().unwrap().pop();

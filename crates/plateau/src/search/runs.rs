@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use optim::{Bounds, Objective, Observer, Polish, Pso, Topology};
+use optim::{Bounds, Objective, Observer, Polish, PolishReason, Polished, Pso, Reason, Topology};
 use rayon::prelude::*;
 use surfaces::{Net, ShapedFamily};
 
@@ -67,7 +67,30 @@ impl Search<'_> {
         self.reduced.evaluate(run.shape(), &mut value);
         let descends = run.history().is_sorted_by(|a, b| a >= b);
         let leads_there = run.history().last().is_none_or(|last| *last >= run.value() || near(*last));
-        near(value[0]) && descends && leads_there
+        near(value[0]) && descends && leads_there && self.is_as_set(run)
+    }
+
+    /// Whether the parts of a run that the settings determine are what they make of them: which parts there are, the
+    /// length of the history, the evaluations, and whether a budget was spent.
+    fn is_as_set(&self, run: &SearchRun) -> bool {
+        let (swarms, descends) = match self.mode {
+            SearchMode::Pso => (true, false),
+            SearchMode::Polish => (false, true),
+            SearchMode::PsoPolish => (true, true),
+        };
+        let (particles, iterations) = (self.context.search.particles(), self.context.search.iterations());
+        let spent = |swarm: &Swarm| {
+            let evaluations = (particles * (iterations + 1)) as u64;
+            // Neither stagnation nor collapse ends a swarm here, and no run without a finite value is kept.
+            swarm.reason == Reason::Budget
+                && swarm.history.len() == iterations + 1
+                && swarm.evaluations == evaluations
+                && swarm.nan_evaluations <= evaluations
+        };
+        run.swarm().is_some() == swarms
+            && run.swarm().is_none_or(spent)
+            && run.polish().is_some() == descends
+            && run.polish().is_none_or(ends_as_it_says)
     }
 
     /// One run and its evaluations; seed and index determine it.
@@ -144,6 +167,23 @@ pub(crate) fn search(
     }
     let evaluated = [reduced.engine(), reduced.arithmetic()];
     SearchOutcome::of(energy, evaluated, runs).ok_or(MethodError::NothingFound { evaluations })
+}
+
+/// Whether the reason of a descent is the one that its budget and its residual give.
+fn ends_as_it_says(polished: &Polished) -> bool {
+    // Of two points whose values only rounding tells apart the calmer one is reported.
+    const BLURRED: f64 = 1e-6;
+    let Polish { tolerance, evaluations } = Polish::default();
+    let limit = tolerance * polished.value.abs();
+    let counted = polished.iterations < polished.evaluations && polished.evaluations <= evaluations;
+    let reason = if polished.residual <= limit * (1.0 + BLURRED) {
+        PolishReason::Stationary
+    } else if polished.evaluations == evaluations && polished.reason != PolishReason::Flat {
+        PolishReason::Budget
+    } else {
+        PolishReason::Flat
+    };
+    counted && polished.reason == reason
 }
 
 fn from_swarm(run: &optim::Run) -> Option<SearchRun> {
