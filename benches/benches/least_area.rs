@@ -40,10 +40,12 @@ fn main() -> Result<(), FixtureError> {
     group.bench_function(BenchmarkId::new("triangle", 16), |bencher| {
         bencher.iter(|| least_area_triangle(black_box(&patch), 1e-10, &()));
     });
-    let patch = saddle(24)?;
-    group.bench_function(BenchmarkId::new("saddle of degree", 24), |bencher| {
-        bencher.iter(|| least_area(black_box(&patch), 1e-10, &()));
-    });
+    for degree in [24, 64] {
+        let patch = saddle(degree)?;
+        group.bench_function(BenchmarkId::new("saddle of degree", degree), |bencher| {
+            bencher.iter(|| least_area(black_box(&patch), 1e-10, &()));
+        });
+    }
     group.finish();
     criterion.final_summary();
     Ok(())
