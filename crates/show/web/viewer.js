@@ -245,8 +245,10 @@
   });
 
   // ---- camera: turns about the z axis and about the horizon ------------------------------------------------------------
-  // Nets that are large or of many points would hide their surface: they are drawn only when asked for.
-  $("net").checked = !data.surfaces.some((surface) => surface.net.large || surface.net.many);
+  // Nets that are large or of many points would hide their surface: they are drawn only when asked for. Of too many points there is none.
+  const nets = data.surfaces.map((surface) => surface.net).filter((net) => net.boundary.length);
+  $("net").parentElement.hidden = !nets.length;
+  $("net").checked = nets.length > 0 && !nets.some((net) => net.large || net.many);
   const state = {
     surface: data.best, other: -1, field: data.field ?? -1, net: $("net").checked, wires: $("wires").checked, phase: 0,
   };
