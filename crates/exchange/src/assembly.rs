@@ -26,6 +26,7 @@ mod weld;
 
 pub use edge::shortest_edge;
 pub use error::AssemblyError;
+pub use size::is_straight;
 pub use frame::{Frame, FrameError};
 pub use options::AssemblyOptions;
 pub use side::Side;

@@ -25,7 +25,7 @@
 //! | what the numbers of files are | [`LengthUnit`] |
 //! | what is said of all that | [`Sentence`], which speaks of a [`Setting`] |
 //! | the B-spline of a surface | [`spline()`] with its [`Accuracy`]; [`SplineError`] |
-//! | others | [`write_curves()`], [`write_deformation()`], [`diagonal()`], [`shortest_edge()`] |
+//! | others | [`write_curves()`], [`write_deformation()`], [`diagonal()`], [`shortest_edge()`], [`is_straight()`] |
 
 #![warn(clippy::wildcard_enum_match_arm)]
 
@@ -36,7 +36,7 @@ mod unit;
 mod writers;
 
 pub use assembly::{
-    Assembly, AssemblyError, AssemblyOptions, Form, Frame, FrameError, Side, Walk, Weld, shortest_edge,
+    Assembly, AssemblyError, AssemblyOptions, Form, Frame, FrameError, Side, Walk, Weld, is_straight, shortest_edge,
 };
 pub use curves::{CurveFile, CurveFileError, FileCurve, Kind, Shape, read_curves};
 pub use sentence::{Sentence, Setting};

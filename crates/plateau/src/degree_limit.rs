@@ -39,6 +39,14 @@ pub enum DegreeLimit {
 }
 
 impl DegreeLimit {
+    /// The highest degree of two rows whose harmonic nets rounding tells apart.
+    pub(crate) const HARMONIC_ROWS: usize = 14;
+
+    /// The least degree across two rows of degree `along` whose harmonic net they determine, whatever their points: every higher one does, too.
+    pub(crate) const fn across_harmonic_rows(along: usize) -> usize {
+        if along.is_multiple_of(2) { along + 1 } else { along }
+    }
+
     /// The largest degree after `raise`, in the larger direction.
     #[must_use]
     pub const fn degree(self) -> usize {

@@ -136,8 +136,9 @@ pub enum MethodError {
     /// The sides given determine a harmonic net, and rounding does not.
     #[error(
         "the harmonic net of degree ({m}, {n}) is lost to rounding: its relations tell it from others by less than the last digits of \
-         control points. Rows of degree 14 or less are found; describe the sides with fewer control points, or take the \
-         extremal of the Laplacian energy"
+         control points. Rows of degree {} or less are found; describe the sides with fewer control points, or take the \
+         extremal of the Laplacian energy",
+        DegreeLimit::HARMONIC_ROWS
     )]
     HarmonicRounding {
         /// Degree in u.
@@ -362,7 +363,7 @@ impl MethodError {
 /// Which degrees of a harmonic net leave nothing open, whatever the sides: two rows of degree n determine the net of degree (m, n)
 /// exactly if m > n, or m = n is odd (GT §6, corrected), and columns likewise.
 fn determined(m: usize, n: usize, given: Option<Direction>) -> String {
-    let least = |along: usize| if along.is_multiple_of(2) { along + 1 } else { along };
+    let least = DegreeLimit::across_harmonic_rows;
     let rows = format!("two rows of degree {n} determine the net with degree {} in u or more", least(n));
     let columns =
         format!("two columns of degree {m} determine the net with degree {} in v or more", least(m));

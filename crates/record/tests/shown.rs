@@ -160,3 +160,24 @@ fn no_table_is_wider_than_its_room() {
         }
     }
 }
+
+/// What is said of every least area is how far it is from the least, or why that is not said.
+#[test]
+fn every_least_area_is_told_how_far_it_is_or_that_it_is_not_estimated() {
+    let text = "title = \"t\"\n[boundary]\nu0 = [[-1, -1, 0], [-1, 0, 2], [-1, 1, 0]]\nu1 = [[1, -1, 0], [1, 0, 2], [1, 1, 0]]\n\
+                v0 = [[-1, -1, 0], [0, -1, -2], [1, -1, 0]]\nv1 = [[-1, 1, 0], [0, 1, -2], [1, 1, 0]]\n\
+                [[method]]\nname = \"low\"\nenergy = \"area\"\n[[method]]\nname = \"high\"\nenergy = \"area\"\nraise = 13\n\
+                [[method]]\nname = \"gt\"\nbasis = \"gt\"\nshape = [1, 1, 1, 1]\nenergy = \"area\"\n";
+    let plan = Plan::parse("t.toml", text).unwrap_or_else(|refusal| panic!("{refusal}"));
+    let finished = run(&plan, Options::default(), &()).unwrap();
+    let said = table(&finished.results, WIDTH);
+    for method in finished.results.methods() {
+        let done = method.outcome.as_ref().unwrap();
+        let estimated = said.lines().any(|line| line.contains(&format!("{}: least ≤", method.name)));
+        assert_eq!(estimated, done.estimate.is_some(), "{}: {said}", method.name);
+    }
+    let costly = said.lines().find(|line| line.contains("not estimated, which would cost more"));
+    assert!(costly.is_some_and(|line| line.contains(": high;")), "{said}");
+    // Functions of a shape are not among those of a higher degree: no cost is to blame.
+    assert!(costly.is_some_and(|line| !line.contains("gt") && !line.contains("low")), "{said}");
+}

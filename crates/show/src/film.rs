@@ -1,6 +1,8 @@
 //! The figures of one film, a line each.
 
-use plateau::{AreaEnd, Film, Notation, Warning, Way, counted};
+use plateau::{Film, Notation, Way, counted};
+
+use crate::table::{NOT_ESTIMATED, is_too_costly};
 
 /// What the curves of files were before they were filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,11 +73,7 @@ fn least_area(film: &Film, estimate: &str) -> Option<String> {
     if let Some(estimate) = film.estimate {
         return Some(format!("about {} less (estimated)", Notation::Order.of(estimate)));
     }
-    let is_reached =
-        film.extremal.as_ref()?.end == AreaEnd::Stationary && film.extremal.as_ref()?.area.settled;
-    let is_told = film.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)));
-    (is_reached && !is_told)
-        .then(|| format!("not estimated, which would cost more than the surface did; {estimate}"))
+    is_too_costly(film.extremal.as_ref()?, &film.warnings).then(|| format!("{NOT_ESTIMATED}; {estimate}"))
 }
 
 fn faces(film: &Film) -> String {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use surfaces::{BoundaryCurve, CurveError, Point, Samples, SplineCurve};
 
 use super::network::Network;
-use super::size::{are_beside, rounding};
+use super::size::{is_straight, rounding};
 use crate::{CurveFile, Shape};
 
 /// A curve between two vertices, or a closed one without any.
@@ -137,13 +137,6 @@ fn runs(network: &Network, is_vertex: &[bool]) -> Vec<Run> {
 fn other(network: &Network, link: usize, node: usize) -> usize {
     let [a, b] = network.links[link].nodes;
     if a == node { b } else { a }
-}
-
-/// Whether points run along the straight line from the first to the last.
-fn is_straight(points: &[Point], size: f64) -> bool {
-    let (first, last) = (points[0], points[points.len() - 1]);
-    are_beside(points, size, last)
-        && points.windows(2).all(|pair| (pair[1] - pair[0]).dot(last - first) > 0.0)
 }
 
 /// A curve with its ends in two points they were welded to. Polynomials and splines are moved there by their end points; arcs become

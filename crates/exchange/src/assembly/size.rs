@@ -56,11 +56,18 @@ pub(super) fn unless_line(file: &CurveFile, size: f64) -> Result<(), AssemblyErr
 
 /// Whether points lie beside the line from the first of them to another by no more than rounding. All is counted from the first: how far
 /// the origin is, is nothing but a matter of digits.
-pub(super) fn are_beside(points: &[Point], size: f64, end: Point) -> bool {
+fn are_beside(points: &[Point], size: f64, end: Point) -> bool {
     let first = points[0];
     let Some(direction) = (end - first).unit() else { return false };
     let width = (STRAIGHT * size).max(rounding(first));
     points.iter().all(|p| (*p - first).cross(direction).norm() <= width)
+}
+
+/// Whether points, one at least, run along the straight line from the first to the last, to rounding of curves of some size.
+pub fn is_straight(points: &[Point], size: f64) -> bool {
+    let (first, last) = (points[0], points[points.len() - 1]);
+    are_beside(points, size, last)
+        && points.windows(2).all(|pair| (pair[1] - pair[0]).dot(last - first) > 0.0)
 }
 
 fn farthest(points: &[Point], first: Point) -> Point {

@@ -219,7 +219,7 @@ impl Curve {
             1 => "; 1 sample equal to the one before it was left out".into(),
             count => format!("; {count} samples equal to the ones before them were left out"),
         };
-        if is_straight(&samples) {
+        if exchange::is_straight(&samples, last(&samples).distance(samples[0])) {
             let line =
                 Bezier::new(vec![samples[0], last(&samples)]).map_err(|error| refuse(error.to_string()))?;
             self.comment = Some(format!("a straight line, exact{omitted}"));
@@ -275,16 +275,6 @@ fn around(names: &[(&'static str, bool)], sides: &[(&str, &[Point])]) -> Vec<Cur
         chain.push(curve(names[chain.len()], rest.remove(k), turned));
     }
     chain
-}
-
-/// Whether samples run along the straight line from the first to the last, to rounding.
-fn is_straight(samples: &[Point]) -> bool {
-    let (first, end) = (samples[0], last(samples));
-    let Some(direction) = (end - first).unit() else { return false };
-    // Counted from the first: far from the origin there is rounding, too.
-    let close = (1e-12 * end.distance(first)).max(4.0 * f64::EPSILON * first.norm());
-    samples.iter().all(|p| (*p - first).cross(direction).norm() <= close)
-        && samples.windows(2).all(|pair| (pair[1] - pair[0]).dot(direction) > 0.0)
 }
 
 /// Whether all points are one: a side may be a point.

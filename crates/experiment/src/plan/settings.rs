@@ -46,7 +46,7 @@ impl Draft<'_> {
     pub(super) fn bound(&self, family: Option<Family>, interior: Option<&Interior>) -> Option<bool> {
         let wanted = self.table.or_default(&BOUND, &self.bound)?;
         let span = self.bound.span().filter(|_| wanted);
-        let help = "leave it out: what is proved of a least area in the Bernstein basis holds for all surfaces with the same boundary curves";
+        let help = "leave it out: what is proved of a least area in the Bernstein basis holds for other surfaces with the same boundary curves, too";
         self.is_of_least_areas((span, "bound", help), family, interior).then_some(wanted)
     }
 

@@ -3,7 +3,7 @@
 use solve::solve_rank;
 use surfaces::{Net, Point, Relation, harmonic_relations};
 
-use crate::{Boundary, Direction, MethodError, SolveFigures};
+use crate::{Boundary, DegreeLimit, Direction, MethodError, SolveFigures};
 
 /// Singular values below this fraction of the largest count as zero: far below those of solvable systems, far above
 /// rounding.
@@ -40,10 +40,9 @@ pub(super) fn net(boundary: &Boundary) -> Result<(Net, SolveFigures), MethodErro
     }
     let solution = solve_rank(points, unknown.len(), &matrix, 3, &rhs, RANK_TOLERANCE)?;
     // What theory says is determined and is found not to be, rounding has decided.
-    let determines = |given: usize, free: usize| free > given || free == given && !given.is_multiple_of(2);
     let is_determined = match given {
-        Some(Direction::Rows) => determines(n, m),
-        Some(Direction::Columns) => determines(m, n),
+        Some(Direction::Rows) => m >= DegreeLimit::across_harmonic_rows(n),
+        Some(Direction::Columns) => n >= DegreeLimit::across_harmonic_rows(m),
         None => false,
     };
     if is_determined && (solution.inconsistent > 0 || solution.nullity > 0) {

@@ -60,7 +60,7 @@ impl Displacement {
         (m.min(Self::LARGEST), n.min(Self::LARGEST))
     }
 
-    /// Whether higher degrees gain less than the tolerance.
+    /// Whether the next degrees gain less than the tolerance.
     #[must_use]
     pub const fn has_converged(&self) -> bool {
         match self.end {
@@ -78,16 +78,16 @@ impl fmt::Display for Displacement {
         let (m, n) = self.degrees;
         write!(f, "inside, the Coons patch is displaced by degree ({m}, {n}): ")?;
         match self.end {
-            DisplacementEnd::Tolerance => f.write_str("higher ones gain less than the tolerance"),
+            DisplacementEnd::Tolerance => f.write_str("the next degrees gain less than the tolerance"),
             DisplacementEnd::Rounding { gained } => {
                 write!(
                     f,
-                    "higher ones gain {gained:.0e} of the area, no more than the rounding of their control points"
+                    "the next degrees gain {gained:.0e} of the area, no more than the rounding of their control points"
                 )
             }
-            DisplacementEnd::Folds => f.write_str("higher ones lead to a net that nearly folds"),
+            DisplacementEnd::Folds => f.write_str("the next degrees lead to a net that nearly folds"),
             DisplacementEnd::OutOfMemory { bytes } => {
-                write!(f, "higher ones take about {:.0} MB, which cannot be allocated", bytes as f64 / 1e6)
+                write!(f, "the next degrees take about {:.0} MB, which cannot be allocated", bytes as f64 / 1e6)
             }
             DisplacementEnd::Largest { gained } => {
                 write!(f, "no higher ones are tried, and the last gained {gained:.0e} of the area")

@@ -24,7 +24,7 @@ pub(super) fn is_of_high_degree(patch: &TensorPatch) -> Result<bool, MethodError
 }
 
 /// The patch of least area over the border of `patch`, of high degree, with displacements from `lower` on, a surface of lower degrees in those of
-/// `patch`. Not above `starts`.
+/// `patch`. The first of them begins at the best of `starts`, where that is better than its own start.
 pub(super) fn least_of_displaced(
     patch: &TensorPatch,
     lower: Option<Found>,
@@ -33,54 +33,67 @@ pub(super) fn least_of_displaced(
     progress: &dyn Progress,
 ) -> Result<Found, MethodError> {
     let (m, n) = patch.net().degrees();
-    let largest = m.max(n);
-    let first =
+    let known =
         lower.as_ref().and_then(|(_, found)| found.displacement).map_or(0, |d| d.degrees.0.max(d.degrees.1));
-    let mut best = lower;
-    let (mut gained, mut missing) = (0.0, None);
-    for degree in Displacement::tried(largest).filter(|&degree| first < degree) {
-        let degrees = (m.min(degree), n.min(degree));
-        match (&best, memory::holds(memory::of_displacement(degrees))) {
-            (_, Ok(())) => {}
-            (Some(_), Err(MethodError::OutOfMemory { bytes })) => {
-                missing = Some(bytes);
-                break;
+    let mut tried = Displacement::tried(m.max(n)).filter(|&degree| known < degree);
+    let mut sought = |degree: usize, near: Option<&TensorPatch>| {
+        sought(patch, degree, (near, std::mem::take(&mut starts)), tolerance, progress)
+    };
+    let mut best = match lower {
+        Some(lower) => lower,
+        None => sought(tried.next().unwrap_or(m.max(n)), None)?.0,
+    };
+    let mut gained = 0.0;
+    for degree in tried {
+        let ((next, found), rounding) = match sought(degree, Some(&best.0)) {
+            // What was found stays.
+            Err(MethodError::OutOfMemory { bytes }) => {
+                return Ok(ended(best, DisplacementEnd::OutOfMemory { bytes }));
             }
-            (_, Err(error)) => return Err(error),
-        }
-        let space = Displaced::new(patch, degrees)?;
-        let near = best.as_ref().map(|(patch, _)| patch);
-        let (next, mut found) = minimise(&space, near, std::mem::take(&mut starts), tolerance, progress)?;
-        found.displacement =
-            (degree < largest).then_some(Displacement { degrees, end: DisplacementEnd::Tolerance });
-        let Some((before, lower)) = best else {
-            best = Some((next, found));
-            continue;
+            sought => sought?,
         };
+        let (before, lower) = best;
         gained = (lower.area.value - found.area.value) / lower.area.value;
-        let rounding = BEYOND_ROUNDING * space.rounding(&next);
+        let iterations = lower.iterations + found.iterations;
+        let evaluations = lower.evaluations + found.evaluations;
         let end = if gained <= tolerance {
             Some(DisplacementEnd::Tolerance)
         } else if lower.area.settled && !found.area.settled {
             Some(DisplacementEnd::Folds)
         } else {
-            (gained <= rounding).then_some(DisplacementEnd::Rounding { gained })
+            (gained <= BEYOND_ROUNDING * rounding).then_some(DisplacementEnd::Rounding { gained })
         };
-        let iterations = lower.iterations + found.iterations;
-        let evaluations = lower.evaluations + found.evaluations;
         if let Some(end) = end {
-            let displacement = lower.displacement.map(|displacement| Displacement { end, ..displacement });
-            return Ok((before, AreaExtremal { displacement, iterations, evaluations, ..lower }));
+            return Ok(ended((before, AreaExtremal { iterations, evaluations, ..lower }), end));
         }
         let (start, from, left_saddle) = (lower.start, lower.from, lower.left_saddle || found.left_saddle);
-        best = Some((next, AreaExtremal { start, from, iterations, evaluations, left_saddle, ..found }));
+        best = (next, AreaExtremal { start, from, iterations, evaluations, left_saddle, ..found });
     }
-    let (patch, mut found) = best.expect("the lowest degree is below that of every net of high degree");
-    if let Some(displacement) = &mut found.displacement {
-        displacement.end = match missing {
-            Some(bytes) => DisplacementEnd::OutOfMemory { bytes },
-            None => DisplacementEnd::Largest { gained },
-        };
-    }
-    Ok((patch, found))
+    Ok(ended(best, DisplacementEnd::Largest { gained }))
+}
+
+/// The patch of least area among displacements of a degree, `near` a surface if there is one, and how far rounding of its control points moves it, as
+/// a share of its size.
+fn sought(
+    patch: &TensorPatch,
+    degree: usize,
+    (near, starts): (Option<&TensorPatch>, &[TensorPatch]),
+    tolerance: f64,
+    progress: &dyn Progress,
+) -> Result<(Found, f64), MethodError> {
+    let (m, n) = patch.net().degrees();
+    let degrees = (m.min(degree), n.min(degree));
+    memory::holds(memory::of_displacement(degrees))?;
+    let space = Displaced::new(patch, degrees)?;
+    let (least, found) = minimise(&space, near, starts, tolerance, progress)?;
+    let displacement = Displacement { degrees, end: DisplacementEnd::Tolerance };
+    let displacement = (degree < m.max(n)).then_some(displacement);
+    let rounding = space.rounding(&least);
+    Ok(((least, AreaExtremal { displacement, ..found }), rounding))
+}
+
+/// What was found, with why its displacement has no higher degree, if it has a lower one than the net.
+fn ended((patch, found): Found, end: DisplacementEnd) -> Found {
+    let displacement = found.displacement.map(|displacement| Displacement { end, ..displacement });
+    (patch, AreaExtremal { displacement, ..found })
 }

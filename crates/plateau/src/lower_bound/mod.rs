@@ -169,7 +169,7 @@ fn of_faces(complex: &Complex, degree: usize) -> Result<LowerBound, NoBound> {
     }
     let plane = plane(complex)?.ok_or(NoBound::NoGraph)?;
     let calibration = Calibration::new(complex, &plane, degree, 2 * degree)?.ok_or(NoBound::NoGraph)?;
-    let best = potential(&calibration, degree)?;
+    let best = potential(&calibration)?.ok_or(NoBound::Singular { degree })?;
     // Where the surface is steep |∇ψ| is near 1, and above it by rounding: shrunk a little it can be proved, at a loss of that share.
     let mut last = None;
     for shrink in SHRINKING {

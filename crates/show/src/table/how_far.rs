@@ -1,7 +1,7 @@
 //! How far surfaces may lie above the least area of their boundary, in words.
 
 use crate::Printable;
-use plateau::{AreaEnd, Done, Energy, Family, Notation, Results, Warning};
+use plateau::{AreaEnd, AreaExtremal, Done, Energy, Family, Notation, Results, Warning};
 
 /// What is known of the least area over the rim of a surface of least area; none if nothing is.
 pub(crate) fn how_far(done: &Done) -> Option<String> {
@@ -32,6 +32,15 @@ pub(crate) fn losses(results: &Results) -> Option<String> {
     (!all.is_empty()).then(|| format!("above the least area of the boundary (estimated): {}", all.join("; ")))
 }
 
+/// Why there is no estimate where one would be too costly.
+pub(crate) const NOT_ESTIMATED: &str = "not estimated, which would cost more than the surface did";
+
+/// Whether a least area that was reached, and of which nothing is estimated, lacks that because it would be too costly: any other reason is told.
+pub(crate) fn is_too_costly(found: &AreaExtremal, warnings: &[Warning]) -> bool {
+    let is_told = warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)));
+    found.end == AreaEnd::Stationary && found.area.settled && !is_told
+}
+
 /// The surfaces of least area that nothing is estimated of unasked, all in one line; none if there are none.
 pub(crate) fn unestimated(results: &Results) -> Option<String> {
     let of = |method: &plateau::MethodResult| {
@@ -42,16 +51,13 @@ pub(crate) fn unestimated(results: &Results) -> Option<String> {
             // What they lack is not among functions of their shape.
             Family::Shaped(_) | Family::Aht | Family::At => false,
         };
-        let is_told = done.warnings.iter().any(|warning| matches!(warning, Warning::NoEstimate(_)));
-        let is_reached = found.end == AreaEnd::Stationary && found.area.settled;
-        (done.estimate.is_none() && is_reached && is_polynomial && !is_told)
-            .then(|| Printable(&method.name).cut(Printable::NAME).to_string())
+        let is_costly = done.estimate.is_none() && is_too_costly(found, &done.warnings);
+        (is_polynomial && is_costly).then(|| Printable(&method.name).cut(Printable::NAME))
     };
     let all: Vec<String> = results.methods().iter().filter_map(of).collect();
     (!all.is_empty()).then(|| {
         format!(
-            "how far above the least area of the boundary is not estimated, which would cost more than the surface did: {}; over `sides`, \
-             `loops` and `polygon` `accuracy` asks for it",
+            "how far above the least area of the boundary is {NOT_ESTIMATED}: {}; over `sides`, `loops` and `polygon` `accuracy` asks for it",
             all.join(", ")
         )
     })

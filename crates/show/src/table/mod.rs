@@ -12,5 +12,6 @@ pub(crate) mod standing;
 pub use cells::Cells;
 pub use column::Column;
 pub use grid::grid;
+pub(crate) use how_far::{NOT_ESTIMATED, is_too_costly};
 pub(crate) use patch_table::notes;
 pub use patch_table::{WIDTH, table};
