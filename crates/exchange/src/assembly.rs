@@ -26,10 +26,10 @@ mod weld;
 
 pub use edge::shortest_edge;
 pub use error::AssemblyError;
-pub use size::is_straight;
 pub use frame::{Frame, FrameError};
 pub use options::AssemblyOptions;
 pub use side::Side;
+pub use size::is_straight;
 pub use walk::{Form, Walk};
 pub use weld::Weld;
 

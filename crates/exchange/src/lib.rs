@@ -36,7 +36,8 @@ mod unit;
 mod writers;
 
 pub use assembly::{
-    Assembly, AssemblyError, AssemblyOptions, Form, Frame, FrameError, Side, Walk, Weld, is_straight, shortest_edge,
+    Assembly, AssemblyError, AssemblyOptions, Form, Frame, FrameError, Side, Walk, Weld, is_straight,
+    shortest_edge,
 };
 pub use curves::{CurveFile, CurveFileError, FileCurve, Kind, Shape, read_curves};
 pub use sentence::{Sentence, Setting};

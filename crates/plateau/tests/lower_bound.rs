@@ -1,6 +1,6 @@
 //! Proved lower bounds, held against areas known in closed form.
 
-use plateau::{Competitors, NoBound, least_area_raised, lower_bound, lower_bound_of_net};
+use plateau::{Competitors, Fill, Loop, NoBound, least_area_raised, lower_bound, lower_bound_of_net};
 use surfaces::{Bezier, Complex, FixedEdge, Net, Point, Vertex};
 
 /// The quadrilateral with straight sides, as one face of degree p in its Coons start.
@@ -52,21 +52,22 @@ fn one_patch_bounds_the_saddle_as_four_do() {
     }
 }
 
-/// Over this rim the potential rises by nearly 1 in places, where its second derivatives are beyond all bounds.
+/// Around small patches the system of the potential is singular to working precision: it is solved a little beside, and bounds all the same.
 #[test]
-fn a_steep_graph_is_bounded_all_the_same() {
-    let side = |points: [[f64; 3]; 3]| points.map(Point::from);
-    let border = Net::from_boundary(
-        &side([[-1., -1., 0.], [-1., 0., 9.], [-1., 1., 0.]]),
-        &side([[1., -1., 0.], [1., 0., 9.], [1., 1., 0.]]),
-        &side([[-1., -1., 0.], [0., -1., -9.], [1., -1., 0.]]),
-        &side([[-1., 1., 0.], [0., 1., -9.], [1., 1., 0.]]),
-    )
-    .expect("four sides");
-    let (least, found) = least_area_raised(&border, 4, &[], 1e-10, &()).expect("a least area");
-    let bound = lower_bound_of_net(&border, least.net()).expect("a graph");
-    let gap = 1.0 - bound.value / found.area.value;
-    assert!((0.0..0.05).contains(&gap), "{} below {}", bound.value, found.area.value);
+fn a_layer_of_small_patches_at_high_degree_is_bounded_too() {
+    let side = |points: [[f64; 3]; 3]| points.map(Point::from).to_vec();
+    let sides = vec![
+        side([[-1., -1., 0.], [0., -1., -2.], [1., -1., 0.]]),
+        side([[1., -1., 0.], [1., 0., 2.], [1., 1., 0.]]),
+        side([[1., 1., 0.], [0., 1., -2.], [-1., 1., 0.]]),
+        side([[-1., 1., 0.], [-1., 0., 2.], [-1., -1., 0.]]),
+    ];
+    let fill = Fill::default().with_degree(9).with_layers(1).with_bound(true);
+    let film = fill.loops(&[Loop::sides(sides).expect("a loop")], &()).expect("a film");
+    let bound = film.bound.expect("a graph");
+    let gap = film.figures.area.value - bound.value;
+    assert_eq!(bound.competitors, Competitors::Surfaces);
+    assert!((0.0..1e-9).contains(&gap), "{gap:e}");
 }
 
 #[test]

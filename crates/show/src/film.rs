@@ -1,6 +1,6 @@
 //! The figures of one film, a line each.
 
-use plateau::{Film, Notation, Way, counted};
+use plateau::{AreaEnd, Film, Notation, Warning, Way, counted};
 
 use crate::table::{NOT_ESTIMATED, is_too_costly};
 

@@ -62,9 +62,11 @@ pub(super) fn none(network: &Network, file: &CurveFile, weld: &Weld) -> Result<(
         "a side may be missing there"
     };
     // A wider weld is refused.
-    if widest <= MOST_WELDED * surfaces::extent(&network.points) {
+    // What is proposed is rounded up, and must still be taken.
+    let wide = rounded_up(widest);
+    if wide <= MOST_WELDED * surfaces::extent(&network.points) {
         let all = if pairs.len() == 1 { "them" } else { "them all" };
-        let wider = Sentence::from(text + ", or `").value(Setting::Weld, rounded_up(widest));
+        let wider = Sentence::from(text + ", or `").value(Setting::Weld, Notation::Short(2).of(wide));
         return Err(AssemblyError::Gap(wider.text(format!("` joins {all}"))));
     }
     Err(AssemblyError::Gap(text.into()))
@@ -90,7 +92,7 @@ pub(super) fn shown(p: Point) -> String {
 }
 
 /// Two digits, not below x.
-fn rounded_up(x: f64) -> String {
+fn rounded_up(x: f64) -> f64 {
     let unit = libm::pow(10.0, libm::floor(libm::log10(x)) - 1.0);
-    Notation::Short(2).of(libm::ceil(x / unit * (1.0 + 1e-12)) * unit)
+    libm::ceil(x / unit * (1.0 + 1e-12)) * unit
 }

@@ -87,7 +87,11 @@ impl fmt::Display for Displacement {
             }
             DisplacementEnd::Folds => f.write_str("the next degrees lead to a net that nearly folds"),
             DisplacementEnd::OutOfMemory { bytes } => {
-                write!(f, "the next degrees take about {:.0} MB, which cannot be allocated", bytes as f64 / 1e6)
+                write!(
+                    f,
+                    "the next degrees take about {:.0} MB, which cannot be allocated",
+                    bytes as f64 / 1e6
+                )
             }
             DisplacementEnd::Largest { gained } => {
                 write!(f, "no higher ones are tried, and the last gained {gained:.0e} of the area")
